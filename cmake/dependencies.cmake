@@ -1,0 +1,33 @@
+# Every third-party library, each from its Debian 12 package: docs/dependencies.md says why.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED CONFIG)
+find_package(fmt REQUIRED CONFIG)
+find_package(embree 3.13 REQUIRED CONFIG)
+find_package(Imath REQUIRED CONFIG QUIET)
+find_package(OpenEXR REQUIRED CONFIG)
+find_package(OpenImageIO REQUIRED CONFIG)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(CLI11 REQUIRED CONFIG)
+find_package(tomlplusplus REQUIRED CONFIG)
+find_package(nlohmann_json REQUIRED CONFIG)
+find_package(nanoflann REQUIRED CONFIG)
+find_package(tinyobjloader REQUIRED CONFIG)
+if(LANCRET_TESTS)
+    find_package(GTest REQUIRED CONFIG)
+endif()
+if(LANCRET_BENCH)
+    find_package(benchmark REQUIRED CONFIG)
+endif()
+
+# Debian's OpenImageIO target names OpenCV's include folder, which its headers do not need and
+# which need not exist; CMake refuses a target with a missing folder, so keep those that exist.
+get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+set(oiio_existing "")
+foreach(folder IN LISTS oiio_includes)
+    if(EXISTS "${folder}")
+        list(APPEND oiio_existing "${folder}")
+    endif()
+endforeach()
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
+    INTERFACE_INCLUDE_DIRECTORIES "${oiio_existing}")

@@ -1,0 +1,9 @@
+# lancret_folder(NAME LINK targets...): the library lancret_NAME of every .cpp in this folder.
+# Includes are written from the project's root: #include "guides/helix.h".
+function(lancret_folder name)
+    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS "*.cpp" "*.h")
+    add_library(lancret_${name} STATIC ${sources})
+    target_include_directories(lancret_${name} PUBLIC "${PROJECT_SOURCE_DIR}")
+    target_link_libraries(lancret_${name} PUBLIC ${ARG_LINK} PRIVATE lancret_options)
+endfunction()

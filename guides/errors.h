@@ -1,0 +1,14 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace lancret {
+
+/// A file or an option that cannot be used. The text is one line that names the file and
+/// the place in it: "groom.toml:12: unknown key 'widht', did you mean 'width'?".
+struct InputError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace lancret

@@ -1,0 +1,32 @@
+#pragma once
+// The vector types and the units of the whole project.
+//
+// Units, everywhere and said once: centimetre, gram, second, radian. Curvatures are 1/cm.
+// Right-handed axes. A frame is a matrix whose columns are n0 (the tangent), n1, n2.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace lancret {
+
+template <class T>
+using Vec3T = Eigen::Matrix<T, 3, 1>;
+template <class T>
+using Mat3T = Eigen::Matrix<T, 3, 3>;
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Vec3T<double>;
+using Mat3 = Mat3T<double>;
+using Vec2f = Eigen::Vector2f;
+using Vec3f = Vec3T<float>;
+using Mat3f = Mat3T<float>;
+
+/// Four floats side by side with 16-byte alignment, as Embree reads them: position,
+/// radius.
+struct alignas(16) Point4f {
+    float x, y, z, w;
+
+    Vec3f xyz() const { return {x, y, z}; }
+};
+
+}  // namespace lancret

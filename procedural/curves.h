@@ -1,0 +1,42 @@
+#pragma once
+// What expansion makes and Embree reads: the same bytes, shared without a copy.
+
+#include <cstdint>
+
+#include "guides/types.h"
+#include "procedural/buffer.h"
+
+namespace lancret {
+
+enum class CurveBasis {
+    bspline,  ///< uniform cubic B-spline control points, segments + 3 a strand
+    hermite,  ///< points with derivatives, segments + 1 a strand
+};
+enum class CurveShape {
+    flat,   ///< ribbons that face the ray: strands near or below a pixel
+    round,  ///< swept circles: close-ups
+};
+
+/// Strands as control points, every strand with the same number of segments. Segment j of
+/// strand i has the primitive id i * segments_per_strand + j and starts at control point
+/// i * points_per_strand + j.
+struct Curves {
+    CurveBasis basis = CurveBasis::bspline;
+    CurveShape shape = CurveShape::flat;
+    std::uint32_t strands = 0;
+    std::uint32_t segments_per_strand = 0;
+    std::uint32_t points_per_strand = 0;
+    Buffer<Point4f> points;    ///< [strands * points_per_strand], cm, w is the radius
+    Buffer<Point4f> tangents;  ///< Hermite alone: [points], cm a segment, w is dr/dt
+    Buffer<std::uint32_t>
+        segments;  ///< [strands * segments_per_strand], first control point
+
+    std::uint32_t strand_of(std::uint32_t segment) const {
+        return segment / segments_per_strand;
+    }
+    std::size_t bytes() const {
+        return points.bytes() + tangents.bytes() + segments.bytes();
+    }
+};
+
+}  // namespace lancret

@@ -1,0 +1,1 @@
+#include "procedural/curves.h"
