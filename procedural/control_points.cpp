@@ -1,0 +1,73 @@
+#include "procedural/control_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace lancret {
+
+namespace {
+
+/// The two places beyond an end: the helix of the interval between `end` and `next`,
+/// walked away from it. `step` is the signed arc length from `next` to `end`.
+std::array<Vec3f, 2> beyond(const HelixState<float>& end, const HelixState<float>& next,
+                            float step) {
+    const Vec3f u = rotation_log<float>(next.frame.transpose() * end.frame) / step;
+    std::array<Vec3f, 2> places;
+    HelixState<float> state = end;
+    for (Vec3f& place : places) {
+        advance<float>(state, u, step);
+        place = state.position;
+    }
+    return places;
+}
+
+Point4f point(const Vec3f& p, float radius) { return {p.x(), p.y(), p.z(), radius}; }
+
+}  // namespace
+
+void bspline_points(std::span<const HelixState<float>> states, float ds,
+                    const Vec3f& root, const Taper& taper, std::span<Point4f> points) {
+    const std::ptrdiff_t n = std::ptrdiff_t(states.size()) - 1;
+    assert(std::ptrdiff_t(points.size()) == n + 3);
+    const auto before = beyond(states[0], states[1], -ds);
+    const auto after = beyond(states[n], states[n - 1], ds);
+    const auto place = [&](std::ptrdiff_t i) -> const Vec3f& {
+        if (i < 0) return before[-i - 1];
+        if (i > n) return after[i - n - 1];
+        return states[i].position;
+    };
+    const auto radius = [&](std::ptrdiff_t i) {
+        return std::max(0.0f,
+                        taper.root + (taper.tip - taper.root) * float(i) / float(n));
+    };
+    // Differences, not the taps themselves: a strand of a few centimetres keeps its
+    // digits.
+    const auto smoothed = [&](std::ptrdiff_t i) -> Vec3f {
+        const Vec3f& p = place(i);
+        const Vec3f inner = (place(i - 1) - p) + (place(i + 1) - p);
+        const Vec3f outer = (place(i - 2) - p) + (place(i + 2) - p);
+        return p + (outer - 10 * inner) / 36;
+    };
+    for (std::ptrdiff_t i = 0; i <= n; ++i)
+        points[i + 1] = point(root + smoothed(i), radius(i));
+    // The curve is at (c[-1] + 4 c[0] + c[1]) / 6 where it begins.
+    const Vec3f first = 6 * place(0) - 4 * smoothed(0) - smoothed(1);
+    const Vec3f last = 6 * place(n) - 4 * smoothed(n) - smoothed(n - 1);
+    points[0] = point(root + first, radius(-1));
+    points[n + 2] = point(root + last, radius(n + 1));
+}
+
+void hermite_points(std::span<const HelixState<float>> states, float ds,
+                    const Vec3f& root, const Taper& taper, std::span<Point4f> points,
+                    std::span<Point4f> tangents) {
+    const std::size_t n = states.size() - 1;
+    assert(points.size() == n + 1 && tangents.size() == n + 1);
+    const float slope = (taper.tip - taper.root) / float(n);
+    for (std::size_t i = 0; i <= n; ++i) {
+        points[i] = point(root + states[i].position, taper.root + slope * float(i));
+        tangents[i] = point(states[i].frame.col(0) * ds, slope);
+    }
+}
+
+}  // namespace lancret

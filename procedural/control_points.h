@@ -1,0 +1,36 @@
+#pragma once
+// From places on a strand to the control points that Embree draws.
+
+#include <span>
+#include <vector>
+
+#include "guides/helix.h"
+#include "procedural/curves.h"
+
+namespace lancret {
+
+/// Radii along a strand, cm, linear in s / L.
+struct Taper {
+    float root = 0.004f, tip = 0.002f;
+};
+
+/// How many control points a strand of n intervals has.
+constexpr std::uint32_t control_points_of(CurveBasis basis, std::uint32_t intervals) {
+    return basis == CurveBasis::bspline ? intervals + 3 : intervals + 1;
+}
+
+/// Control points of the uniform cubic B-spline that follows a strand, by the five-tap
+/// quasi-interpolant (1, -10, 54, -10, 1) / 36 on its places. Beyond the ends the strand
+/// goes on as the helix of its last interval; the outermost points are then such that the
+/// curve begins and ends where the strand does. `states` are n + 1 >= 2 places at equal
+/// steps of arc length `ds`, from the root at `root`; `points` has n + 3.
+void bspline_points(std::span<const HelixState<float>> states, float ds,
+                    const Vec3f& root, const Taper& taper, std::span<Point4f> points);
+
+/// The same as cubic Hermite: the places and their tangents times `ds`; both spans have n
+/// + 1.
+void hermite_points(std::span<const HelixState<float>> states, float ds,
+                    const Vec3f& root, const Taper& taper, std::span<Point4f> points,
+                    std::span<Point4f> tangents);
+
+}  // namespace lancret

@@ -1,0 +1,32 @@
+#pragma once
+// Expansion: child i = f(guides, binding, i), the same bits for any chunk size, thread
+// count or order.
+
+#include <span>
+
+#include "procedural/binding.h"
+#include "procedural/control_points.h"
+#include "procedural/curves.h"
+
+namespace lancret {
+
+struct ExpandSettings {
+    Blend blend = Blend::option1;
+    CurveBasis basis = CurveBasis::bspline;
+    CurveShape shape = CurveShape::flat;
+    Taper taper;
+    std::uint32_t chunk = 256;  ///< strands that one task expands at a time, >= 1
+};
+
+/// All children as control points. The guides' profiles say at how many intervals.
+Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
+              const ExpandSettings& settings);
+
+/// Child i as it is synthesised, before its control points are made: profiles.count + 1
+/// places at equal steps of arc length, positions from its root in cm. What `check` looks
+/// at.
+template <class T>
+void synthesize_child(const Binding& binding, const GuideProfiles<T>& profiles,
+                      Blend blend, std::size_t i, std::span<HelixState<T>> states);
+
+}  // namespace lancret

@@ -1,0 +1,127 @@
+#include "procedural/guide_profiles.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <numbers>
+
+#include "guides/super_helix.h"
+
+namespace lancret {
+
+namespace {
+
+/// Bending below this many radians an interval has no direction of its own.
+constexpr double kStraight = 1e-9;
+
+/// The angle of the Frenet normal about n0 from n1: T' = k2 n1 - k1 n2 = kappa N.
+double normal_angle(const Vec3& u) { return std::atan2(-u.y(), u.z()); }
+
+/// Normal angles of the intervals, carried over straight ones from the nearest that
+/// bends: from the one before, and at the root from the first that does.
+std::vector<double> carried_angles(const std::vector<Vec3>& u, double ds) {
+    std::vector<double> angle(u.size());
+    const auto bends = [&](const Vec3& k) {
+        return std::hypot(k.y(), k.z()) * ds > kStraight;
+    };
+    const auto first = std::find_if(u.begin(), u.end(), bends);
+    double carried = first == u.end() ? 0 : normal_angle(*first);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        if (bends(u[i])) carried = normal_angle(u[i]);
+        angle[i] = carried;
+    }
+    return angle;
+}
+
+/// The Darboux vector of each interval in the guide's carried frame, and the states at
+/// the ends and in the middle of each (2 count + 1 of them).
+struct Walk {
+    std::vector<Vec3> u;
+    std::vector<HelixState<double>> states;
+};
+
+Walk walk(const Guides& guides, std::size_t g, int count) {
+    const double length = guide_length(guides, g);
+    SuperHelix helix = super_helix(guides, g);
+    helix.root = {};  // in the root frame, from the root
+    std::vector<double> s(2 * count + 1);
+    for (std::size_t i = 0; i < s.size(); ++i)
+        s[i] = length * double(i) / double(2 * count);
+
+    Walk out;
+    out.states.resize(s.size());
+    std::vector<std::size_t> segment(s.size());
+    sample(helix, s, [&](std::size_t i, std::size_t q, const HelixState<double>& state) {
+        out.states[i] = state;
+        segment[i] = q;
+    });
+    std::vector<double> joint(helix.lengths.size() + 1, 0);
+    for (std::size_t q = 0; q < helix.lengths.size(); ++q) {
+        joint[q + 1] = joint[q] + helix.lengths[q];
+    }
+    for (int i = 0; i < count; ++i) {
+        // The middle lies in one segment; the ends are compared with that segment's
+        // joints.
+        const std::size_t q = segment[2 * i + 1];
+        const double slack = 1e-12 * length;
+        if (s[2 * i] >= joint[q] - slack && s[2 * i + 2] <= joint[q + 1] + slack) {
+            out.u.push_back(helix.curvatures[q]);
+        } else {
+            const Mat3 turn =
+                out.states[2 * i].frame.transpose() * out.states[2 * i + 2].frame;
+            out.u.push_back(rotation_log<double>(turn) * (count / length));
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+template <class T>
+GuideProfiles<T> guide_profiles(const Guides& guides, int count) {
+    const std::size_t size = guides.size(), n = count;
+    GuideProfiles<T> out;
+    out.count = count;
+    out.intervals.resize(size * n);
+    out.root_normals.resize(size);
+    out.root_frames.resize(size);
+    out.lengths.resize(size);
+    out.positions.resize(size * (n + 1));
+    out.tangents.resize(size * (n + 1));
+    tbb::parallel_for(std::size_t(0), size, [&](std::size_t g) {
+        const Walk path = walk(guides, g, count);
+        const double length = guide_length(guides, g);
+        const std::vector<double> angles = carried_angles(path.u, length / count);
+        double angle =
+            angles[0];  // of N from n1, folded so that it never jumps over pi/2
+        double sign = 1;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double raw = angles[i] + (sign < 0 ? std::numbers::pi : 0);
+            double turn = std::remainder(raw - angle, 2 * std::numbers::pi);
+            if (std::abs(turn) > std::numbers::pi / 2) {
+                sign = -sign;
+                turn = std::remainder(turn + std::numbers::pi, 2 * std::numbers::pi);
+            }
+            angle += turn;
+            const Mat3& middle = path.states[2 * i + 1].frame;
+            const Vec3 normal =
+                std::cos(angle) * middle.col(1) + std::sin(angle) * middle.col(2);
+            if (i == 0)
+                out.root_normals[g] = Vec3(0, std::cos(angle), std::sin(angle)).cast<T>();
+            out.intervals[g * n + i] = {
+                T(sign * std::hypot(path.u[i].y(), path.u[i].z())), T(path.u[i].x()),
+                T(i == 0 ? 0.0 : turn), middle.col(0).cast<T>(), normal.cast<T>()};
+        }
+        for (std::size_t i = 0; i <= n; ++i) {
+            out.positions[g * (n + 1) + i] = path.states[2 * i].position.cast<T>();
+            out.tangents[g * (n + 1) + i] = path.states[2 * i].frame.col(0).cast<T>();
+        }
+        out.root_frames[g] = guides.root_frames[g].cast<T>();
+        out.lengths[g] = T(length);
+    });
+    return out;
+}
+
+template GuideProfiles<float> guide_profiles(const Guides&, int);
+template GuideProfiles<double> guide_profiles(const Guides&, int);
+
+}  // namespace lancret
