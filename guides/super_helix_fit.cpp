@@ -194,7 +194,7 @@ int minimize(Problem& problem, Eigen::VectorXd& x, double floor, int max_iterati
                 damping *= 5;
             }
         }
-        if (!lower || drop < 1e-6) break;
+        if (!lower || drop < 1e-5) break;
     }
     return iteration;
 }

@@ -1,0 +1,212 @@
+#include "procedural/check.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "procedural/check_strand.h"
+
+namespace lancret {
+
+namespace {
+
+/// Curvature (signed as its normal is carried) and torsion of one guide at one place.
+struct GuideValue {
+    double kappa, tau;
+};
+
+/// Values of every guide in the middle of each interval, straight from the segments. The
+/// sign of kappa changes where the normal would turn by more than a right angle [TW99,
+/// Sec. 4.2].
+std::vector<GuideValue> guide_values(const Guides& guides, int intervals) {
+    std::vector<GuideValue> out(guides.size() * intervals);
+    for (std::size_t g = 0; g < guides.size(); ++g) {
+        const auto lengths = guides.lengths_of(g);
+        const auto u = guides.curvatures_of(g);
+        const double total = guide_length(guides, g);
+        std::vector<double> sign(u.size(), 1);
+        Eigen::Vector2d normal(0, 0);
+        for (std::size_t q = 0; q < u.size(); ++q) {
+            // kappa N = (k2, -k1) in (n1, n2), which a segment carries along.
+            const Eigen::Vector2d bend(u[q].z(), -u[q].y());
+            if (bend.norm() * total / intervals <= 1e-9) {
+                if (q > 0) sign[q] = sign[q - 1];
+                continue;
+            }
+            sign[q] = normal.dot(bend) < 0 ? -1 : 1;
+            normal = sign[q] * bend.normalized();
+        }
+        double end = lengths[0];
+        std::size_t q = 0;
+        for (int i = 0; i < intervals; ++i) {
+            const double middle = total * (i + 0.5) / intervals;
+            while (q + 1 < u.size() && middle > end) end += lengths[++q];
+            out[g * intervals + i] = {sign[q] * std::hypot(u[q].y(), u[q].z()), u[q].x()};
+        }
+    }
+    return out;
+}
+
+/// Whether the strand's curvature and torsion lie between those of its guides, but for
+/// what single precision cannot tell: each frame is good to 5e-7, so a rotation over ds
+/// to 2e-6.
+bool inside_hull(std::span<const MeasuredInterval> measured,
+                 std::span<const std::uint32_t> guides, std::span<const float> weights,
+                 const std::vector<GuideValue>& values) {
+    const std::size_t n = measured.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        double kappa_low = kFar, kappa_high = -kFar, tau_low = kFar, tau_high = -kFar;
+        for (std::size_t k = 0; k < guides.size(); ++k) {
+            if (!(weights[k] > 0)) continue;
+            const GuideValue& value = values[guides[k] * n + i];
+            kappa_low = std::min(kappa_low, value.kappa);
+            kappa_high = std::max(kappa_high, value.kappa);
+            tau_low = std::min(tau_low, value.tau);
+            tau_high = std::max(tau_high, value.tau);
+        }
+        const MeasuredInterval& m = measured[i];
+        const double slack = 4e-6 / m.length;
+        const auto inside = [&](double x, double low, double high) {
+            const double room = slack + 1e-5 * std::max(std::abs(low), std::abs(high));
+            return x >= low - room && x <= high + room;
+        };
+        // The strand shows |kappa|; either sign of it may be the one in the hull.
+        const bool kappa_fits = inside(m.kappa, kappa_low, kappa_high) ||
+                                inside(-m.kappa, kappa_low, kappa_high);
+        // Where nothing bends, single precision cannot tell the axis and so not the
+        // torsion; rotations of half a turn and more come back as the other way round.
+        const bool tau_shows = m.angle < 3;
+        if (!kappa_fits || (tau_shows && !inside(m.tau, tau_low, tau_high))) return false;
+    }
+    return true;
+}
+
+bool finite(std::span<const Point4f> points) {
+    return std::ranges::all_of(points, [](const Point4f& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) &&
+               std::isfinite(p.w);
+    });
+}
+
+/// Every root, grown by the longest strand: no tip can leave it.
+Eigen::AlignedBox3d reach_of(const Binding& binding) {
+    Eigen::AlignedBox3d box;
+    float longest = 0;
+    for (std::size_t i = 0; i < binding.size(); ++i) {
+        box.extend(binding.roots.positions[i].cast<double>());
+        longest = std::max(longest, binding.lengths[i]);
+    }
+    const double grow = longest * (1 + 1e-6);
+    return {box.min() - Vec3::Constant(grow), box.max() + Vec3::Constant(grow)};
+}
+
+}  // namespace
+
+CheckReport check(const Binding& binding, const Guides& guides,
+                  const GuideProfiles<float>& profiles, const Curves& curves, Blend blend,
+                  double length_scale, const CheckTolerances& tolerances) {
+    const std::size_t n = profiles.count, k = binding.neighbours;
+    const std::vector<GuideValue> values = guide_values(guides, profiles.count);
+    const Eigen::AlignedBox3d reach = reach_of(binding);
+    CheckReport report;
+    report.tolerances = tolerances;
+    report.hull_is_asked = blend == Blend::option1;
+    report.strands.resize(binding.size());
+
+    const auto check_range = [&](const tbb::blocked_range<std::size_t>& range) {
+        std::vector<HelixState<float>> states(n + 1);
+        std::vector<MeasuredInterval> measured(n);
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            synthesize_child<float>(binding, profiles, blend, i, states);
+            const EmittedStrand emitted = emitted_strand(curves, i);
+            const std::span own_guides(&binding.guides[i * k], k);
+            const std::span own_weights(&binding.weights[i * k], k);
+            const Vec3 root = binding.roots.positions[i].cast<double>();
+            StrandCheck& out = report.strands[i];
+            out.strand = std::uint32_t(i);
+            out.orthogonality = float(orthogonality_error(states));
+
+            double intended = 0, weight = 0;
+            for (std::size_t j = 0; j < k; ++j) {
+                intended += double(own_weights[j]) * guide_length(guides, own_guides[j]);
+                weight += own_weights[j];
+            }
+            intended *= length_scale / weight;
+            double length = 0, distance = 0;
+            for (std::size_t j = 0; j < n; ++j) {
+                measured[j] = measured_interval(states[j], states[j + 1]);
+                length += measured[j].length;
+                const Eigen::Matrix3d frame = states[j].frame.cast<double>();
+                for (const double t : {0.25, 0.5, 0.75}) {
+                    // Only what lies across the strand is a distance from it.
+                    const Vec3 off = emitted.position(j, t) - root -
+                                     place_on(states[j], measured[j], t);
+                    const Vec3 tangent =
+                        frame * Eigen::AngleAxisd(measured[j].angle * t, measured[j].axis)
+                                    .matrix()
+                                    .col(0);
+                    distance =
+                        std::max(distance, (off - tangent * tangent.dot(off)).norm());
+                }
+            }
+            out.length_error = float(length / intended - 1);
+            out.emitted_length_error = float(emitted.length() / intended - 1);
+            out.distance = float(distance);
+            out.root_distance = float((emitted.position(0, 0) - root).norm());
+            out.finite = finite(emitted.points) && finite(emitted.tangents) &&
+                         std::isfinite(length) && std::isfinite(out.orthogonality);
+            out.inside_bound = reach.contains(emitted.position(n - 1, 1));
+            out.inside_hull = inside_hull(measured, own_guides, own_weights, values);
+        }
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, binding.size(), 256),
+                      check_range);
+    return report;
+}
+
+namespace {
+
+/// The largest share of a tolerance that a strand uses: above 1 it fails. A NaN is
+/// infinitely bad.
+double severity(const CheckReport& report, const StrandCheck& s) {
+    const CheckTolerances& t = report.tolerances;
+    if (!s.finite || !s.inside_bound || (report.hull_is_asked && !s.inside_hull)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double shares[] = {s.orthogonality / t.orthogonality,
+                             std::abs(s.length_error) / t.length,
+                             std::abs(s.emitted_length_error) / t.emitted_length,
+                             s.distance / t.distance, s.root_distance / t.root};
+    double worst = 0;
+    for (const double share : shares) {
+        if (!(share <= worst)) worst = share;
+    }
+    return std::isnan(worst) ? std::numeric_limits<double>::infinity() : worst;
+}
+
+}  // namespace
+
+bool CheckReport::passes(const StrandCheck& strand) const {
+    return severity(*this, strand) <= 1;
+}
+
+bool CheckReport::pass() const {
+    return std::ranges::all_of(strands, [&](const StrandCheck& s) { return passes(s); });
+}
+
+std::vector<StrandCheck> CheckReport::worst(std::size_t n) const {
+    std::vector<std::pair<double, std::uint32_t>> order;
+    order.reserve(strands.size());
+    for (const StrandCheck& s : strands)
+        order.emplace_back(-severity(*this, s), s.strand);
+    n = std::min(n, order.size());
+    std::partial_sort(order.begin(), order.begin() + n, order.end());
+    std::vector<StrandCheck> out;
+    for (std::size_t i = 0; i < n; ++i) out.push_back(strands[order[i].second]);
+    return out;
+}
+
+}  // namespace lancret

@@ -1,0 +1,54 @@
+#pragma once
+// The proof: every strand looked at, by code that shares nothing with what made it.
+
+#include <cstdint>
+#include <vector>
+
+#include "guides/guides.h"
+#include "procedural/expand.h"
+
+namespace lancret {
+
+/// What a strand may be off by before the check fails.
+struct CheckTolerances {
+    double orthogonality = 1e-6;   ///< of any entry of R^T R - I
+    double length = 1e-5;          ///< relative, of the strand as synthesised
+    double emitted_length = 1e-2;  ///< relative, of the curve through the control points
+    double distance = 0.02;        ///< cm, of that curve from the strand
+    double root = 1e-3;            ///< cm, of the curve's start from the root
+};
+
+/// What was found on one strand.
+struct StrandCheck {
+    std::uint32_t strand = 0;
+    bool finite = true;              ///< every place, frame and control point
+    bool inside_bound = true;        ///< the tip, in the bound of the groom
+    bool inside_hull = true;         ///< kappa and tau, between those of its guides
+    float orthogonality = 0;         ///< max |R^T R - I| over its places
+    float length_error = 0;          ///< arc length over intended length - 1
+    float emitted_length_error = 0;  ///< the same for the control points' curve
+    float distance = 0;              ///< cm, the emitted curve from the strand, at most
+    float root_distance = 0;         ///< cm, the emitted curve's start from the root
+};
+
+struct CheckReport {
+    CheckTolerances tolerances;
+    bool hull_is_asked = true;  ///< false for blends that do not work in kappa and tau
+    std::vector<StrandCheck> strands;  ///< [children], in their order
+
+    /// True where `strand` keeps all tolerances.
+    bool passes(const StrandCheck& strand) const;
+    bool pass() const;
+    /// The n strands that are worst, by the largest share of a tolerance.
+    std::vector<StrandCheck> worst(std::size_t n) const;
+};
+
+/// Looks at every child. `curves` is what expand made of `binding`. Arc length is
+/// measured from the chords between places and the rotations between frames, by
+/// quadrature for the emitted curve; curvature and torsion are compared with the guides'
+/// own.
+CheckReport check(const Binding& binding, const Guides& guides,
+                  const GuideProfiles<float>& profiles, const Curves& curves, Blend blend,
+                  double length_scale, const CheckTolerances& tolerances);
+
+}  // namespace lancret

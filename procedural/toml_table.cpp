@@ -1,0 +1,223 @@
+#include "procedural/toml_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <vector>
+
+#include "guides/errors.h"
+
+namespace lancret {
+
+namespace {
+
+/// The document a table belongs to: what keeps the parsed file alive.
+struct Document {
+    toml::table root;
+    std::string name;
+    std::filesystem::path folder;
+};
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t(0));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+std::optional<std::string_view> nearest_name(std::string_view word,
+                                             std::span<const std::string_view> names) {
+    std::optional<std::string_view> best;
+    std::size_t distance = 1 + word.size() / 2;
+    for (const std::string_view name : names) {
+        const std::size_t d = edit_distance(word, name);
+        if (d < distance) {
+            distance = d;
+            best = name;
+        }
+    }
+    return best;
+}
+
+struct TomlTable::Node {
+    std::shared_ptr<const Document> document;
+    const toml::table* table = nullptr;  // null: an absent table
+    std::string title;                   // "[guides]", or empty for the root
+    std::vector<std::string> asked;
+    std::map<std::string, TomlTable, std::less<>> children;
+
+    /// The value under `key`, which is from now on asked for.
+    const toml::node* ask(std::string_view key) {
+        if (std::ranges::find(asked, key) == asked.end()) asked.emplace_back(key);
+        return table ? table->get(key) : nullptr;
+    }
+};
+
+TomlTable TomlTable::from_text(std::string_view text, std::string name) {
+    auto document = std::make_shared<Document>();
+    document->name = std::move(name);
+    try {
+        document->root = toml::parse(text, document->name);
+    } catch (const toml::parse_error& error) {
+        throw InputError(fmt::format("{}:{}: {}", document->name,
+                                     error.source().begin.line, error.description()));
+    }
+    TomlTable out;
+    out.node_ = std::make_shared<Node>();
+    out.node_->table = &document->root;
+    out.node_->document = std::move(document);
+    return out;
+}
+
+TomlTable TomlTable::from_file(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(fmt::format("{}: cannot be opened", path.string()));
+    std::ostringstream text;
+    text << file.rdbuf();
+    TomlTable out = from_text(text.str(), path.string());
+    auto document = std::const_pointer_cast<Document>(out.node_->document);
+    document->folder = path.parent_path();
+    return out;
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+    if (const auto known = node_->children.find(key); known != node_->children.end()) {
+        return known->second;
+    }
+    const toml::node* value = node_->ask(key);
+    if (value && !value->is_table()) fail(key, fmt::format("'{}' must be a table", key));
+    TomlTable out;
+    out.node_ = std::make_shared<Node>();
+    out.node_->document = node_->document;
+    out.node_->table = value ? value->as_table() : nullptr;
+    out.node_->title = fmt::format("[{}]", key);
+    node_->children.emplace(key, out);
+    return out;
+}
+
+bool TomlTable::has(std::string_view key) const {
+    return node_->table && node_->table->contains(key);
+}
+
+std::optional<double> TomlTable::number(std::string_view key, double low,
+                                        double high) const {
+    const toml::node* value = node_->ask(key);
+    if (!value) return std::nullopt;
+    const auto number = value->value<double>();
+    if (!value->is_number() || !number || !std::isfinite(*number)) {
+        fail(key, fmt::format("'{}' must be a number", key));
+    }
+    if (*number < low || *number > high) {
+        fail(key, fmt::format("'{}' is {}, but must lie between {} and {}", key, *number,
+                              low, high));
+    }
+    return number;
+}
+
+std::optional<std::int64_t> TomlTable::integer(std::string_view key, std::int64_t low,
+                                               std::int64_t high) const {
+    const toml::node* value = node_->ask(key);
+    if (!value) return std::nullopt;
+    if (!value->is_integer()) fail(key, fmt::format("'{}' must be a whole number", key));
+    const std::int64_t number = value->as_integer()->get();
+    if (number < low || number > high) {
+        fail(key, fmt::format("'{}' is {}, but must lie between {} and {}", key, number,
+                              low, high));
+    }
+    return number;
+}
+
+std::optional<bool> TomlTable::boolean(std::string_view key) const {
+    const toml::node* value = node_->ask(key);
+    if (!value) return std::nullopt;
+    if (!value->is_boolean()) fail(key, fmt::format("'{}' must be true or false", key));
+    return value->as_boolean()->get();
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) const {
+    const toml::node* value = node_->ask(key);
+    if (!value) return std::nullopt;
+    if (!value->is_string()) fail(key, fmt::format("'{}' must be a text in quotes", key));
+    return value->as_string()->get();
+}
+
+std::optional<std::filesystem::path> TomlTable::path(std::string_view key) const {
+    const auto value = text(key);
+    if (!value) return std::nullopt;
+    return node_->document->folder / *value;
+}
+
+std::optional<Vec3> TomlTable::vector(std::string_view key) const {
+    const toml::node* value = node_->ask(key);
+    if (!value) return std::nullopt;
+    const toml::array* array = value->as_array();
+    if (!array || array->size() != 3)
+        fail(key, fmt::format("'{}' must be [x, y, z]", key));
+    Vec3 out;
+    for (int i = 0; i < 3; ++i) {
+        const auto number = (*array)[i].value<double>();
+        if (!(*array)[i].is_number() || !number || !std::isfinite(*number)) {
+            fail(key, fmt::format("'{}' must be three numbers", key));
+        }
+        out[i] = *number;
+    }
+    return out;
+}
+
+std::optional<std::size_t> TomlTable::choice(
+    std::string_view key, std::span<const std::string_view> names) const {
+    const auto word = text(key);
+    if (!word) return std::nullopt;
+    const auto at = std::ranges::find(names, *word);
+    if (at != names.end()) return std::size_t(at - names.begin());
+    const auto meant = nearest_name(*word, names);
+    fail(key, fmt::format("{} '{}' is not known{}; one of: {}", key, *word,
+                          meant ? fmt::format(", did you mean '{}'?", *meant) : "",
+                          fmt::join(names, ", ")));
+}
+
+void TomlTable::finish() const {
+    if (!node_->table) return;
+    for (const auto& [key, value] : *node_->table) {
+        const std::string_view name = key.str();
+        if (std::ranges::find(node_->asked, name) != node_->asked.end()) continue;
+        const std::vector<std::string_view> known(node_->asked.begin(),
+                                                  node_->asked.end());
+        const auto meant = nearest_name(name, known);
+        fail(name,
+             fmt::format("unknown key '{}'{}{}{}", name,
+                         node_->title.empty() ? "" : " in ", node_->title,
+                         meant ? fmt::format(", did you mean '{}'?", *meant)
+                               : fmt::format("; known: {}", fmt::join(known, ", "))));
+    }
+    for (const auto& [key, child] : node_->children) child.finish();
+}
+
+void TomlTable::fail(std::string_view key, std::string_view message) const {
+    std::size_t line = 0;
+    if (node_->table) {
+        for (const auto& [name, value] : *node_->table) {
+            if (name.str() == key) line = name.source().begin.line;
+        }
+    }
+    throw InputError(line > 0
+                         ? fmt::format("{}:{}: {}", node_->document->name, line, message)
+                         : fmt::format("{}: {}", node_->document->name, message));
+}
+
+}  // namespace lancret

@@ -1,0 +1,61 @@
+#pragma once
+// Reading TOML so that nothing in it goes unread: every key is asked for by name and
+// type, and one that nobody asked for is an error.
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "guides/types.h"
+
+namespace lancret {
+
+/// A table of a TOML file. Every error is an InputError "<file>:<line>: ...". A copy
+/// shares what has been asked for.
+class TomlTable {
+  public:
+    /// The whole of a file, or of a text that calls itself `name` in errors.
+    static TomlTable from_file(const std::filesystem::path& path);
+    static TomlTable from_text(std::string_view text, std::string name);
+
+    /// The table under `key`; an empty one where there is none.
+    TomlTable table(std::string_view key) const;
+    bool has(std::string_view key) const;
+
+    /// The value under `key`, nothing where there is none. An error where it is of
+    /// another type or outside [low, high].
+    std::optional<double> number(std::string_view key, double low = -1e30,
+                                 double high = 1e30) const;
+    std::optional<std::int64_t> integer(std::string_view key, std::int64_t low,
+                                        std::int64_t high) const;
+    std::optional<bool> boolean(std::string_view key) const;
+    std::optional<std::string> text(std::string_view key) const;
+    /// A path, relative to the file's folder.
+    std::optional<std::filesystem::path> path(std::string_view key) const;
+    std::optional<Vec3> vector(std::string_view key) const;
+    /// The index in `names` of the text under `key`.
+    std::optional<std::size_t> choice(std::string_view key,
+                                      std::span<const std::string_view> names) const;
+
+    /// Throws for the first key, in this table and those under it, that nobody asked for,
+    /// with the nearest key that somebody did ask for.
+    void finish() const;
+
+    /// "<file>:<line of key>: message", to be thrown by who finds a value wrong.
+    [[noreturn]] void fail(std::string_view key, std::string_view message) const;
+
+  private:
+    struct Node;
+    std::shared_ptr<Node> node_;
+};
+
+/// The one of `names` that `word` was most likely meant to be; nothing where none is
+/// near.
+std::optional<std::string_view> nearest_name(std::string_view word,
+                                             std::span<const std::string_view> names);
+
+}  // namespace lancret

@@ -1,0 +1,78 @@
+#include "procedural/toml_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "guides/errors.h"
+
+namespace lancret {
+namespace {
+
+std::string error_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+constexpr std::string_view kText = "count = 5\n[width]\nroot = 0.1\nwidht = 2\n";
+
+TEST(TomlTable, ReadsWhatIsThere) {
+    const TomlTable table =
+        TomlTable::from_text("a = 2\nb = [1, 2.5, 3]\nc = \"x\"\n", "t");
+    EXPECT_EQ(table.number("a"), 2);
+    EXPECT_EQ(table.vector("b"), Vec3(1, 2.5, 3));
+    EXPECT_EQ(table.text("c"), "x");
+    EXPECT_EQ(table.number("d"), std::nullopt);
+    table.finish();
+}
+
+TEST(TomlTable, NamesFileLineAndNearestKeyOfATypo) {
+    const TomlTable table = TomlTable::from_text(kText, "groom.toml");
+    table.integer("count", 0, 10);
+    const TomlTable width = table.table("width");
+    width.number("root");
+    width.number("width");
+    EXPECT_EQ(error_of([&] { table.finish(); }),
+              "groom.toml:4: unknown key 'widht' in [width], did you mean 'width'?");
+}
+
+TEST(TomlTable, NamesAnUnknownTable) {
+    const TomlTable table = TomlTable::from_text("[strand]\ncount = 1\n", "g");
+    table.table("strands");
+    EXPECT_EQ(error_of([&] { table.finish(); }),
+              "g:1: unknown key 'strand', did you mean 'strands'?");
+}
+
+TEST(TomlTable, RejectsOtherTypesAndRanges) {
+    const TomlTable t = TomlTable::from_text(
+        "a = \"5\"\nb = 2.5\nc = 11\nd = nan\ne = [1, 2]\nf = 1\n", "g");
+    EXPECT_EQ(error_of([&] { t.number("a"); }), "g:1: 'a' must be a number");
+    EXPECT_EQ(error_of([&] { t.integer("b", 0, 10); }),
+              "g:2: 'b' must be a whole number");
+    EXPECT_EQ(error_of([&] { t.integer("c", 0, 10); }),
+              "g:3: 'c' is 11, but must lie between 0 and 10");
+    EXPECT_EQ(error_of([&] { t.number("d"); }), "g:4: 'd' must be a number");
+    EXPECT_EQ(error_of([&] { t.vector("e"); }), "g:5: 'e' must be [x, y, z]");
+    EXPECT_EQ(error_of([&] { t.table("f"); }), "g:6: 'f' must be a table");
+}
+
+TEST(TomlTable, SuggestsTheNearestChoice) {
+    const TomlTable t = TomlTable::from_text("blend = \"option\"\n", "g");
+    const std::string_view names[] = {"option1", "position"};
+    EXPECT_EQ(error_of([&] { t.choice("blend", names); }),
+              "g:1: blend 'option' is not known, did you mean 'option1'?; one of: "
+              "option1, position");
+}
+
+TEST(TomlTable, SyntaxErrorsNameTheLine) {
+    EXPECT_THAT(error_of([] { TomlTable::from_text("a = 1\nb = = 2\n", "g"); }),
+                testing::StartsWith("g:2: "));
+    EXPECT_THAT(error_of([] { TomlTable::from_file("/nowhere/g.toml"); }),
+                testing::HasSubstr("cannot be opened"));
+}
+
+}  // namespace
+}  // namespace lancret
