@@ -3,32 +3,12 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_reduce.h>
 
-#include <nanoflann.hpp>
 #include <stdexcept>
 
+#include "guides/point_tree.h"
 #include "procedural/weights.h"
 
 namespace lancret {
-
-namespace {
-
-/// The guides' roots as nanoflann wants to see them.
-struct RootCloud {
-    const std::vector<Vec3>& points;
-    std::size_t kdtree_get_point_count() const { return points.size(); }
-    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-        return points[i][axis];
-    }
-    template <class Box>
-    bool kdtree_get_bbox(Box&) const {
-        return false;
-    }
-};
-using RootTree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, RootCloud>,
-                                        RootCloud, 3, std::uint32_t>;
-
-}  // namespace
 
 std::size_t Binding::bytes() const {
     return roots.bytes() + guides.size() * sizeof(guides[0]) +
@@ -54,8 +34,7 @@ Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals
 
     std::vector<double> lengths(guides.size());
     for (std::size_t g = 0; g < guides.size(); ++g) lengths[g] = guide_length(guides, g);
-    const RootCloud cloud{guides.root_positions};
-    const RootTree tree(3, cloud);
+    const PointTree tree(guides.root_positions);
 
     const auto bind_range = [&](const tbb::blocked_range<std::size_t>& range,
                                 std::size_t alone) {
@@ -65,7 +44,7 @@ Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals
             const Vec3 x = out.roots.positions[i].cast<double>();
             const Vec3 up = out.roots.normals[i].cast<double>();
             const std::size_t found =
-                tree.knnSearch(x.data(), k + 1, near.data(), squared.data());
+                tree.nearest(x, {near.data(), k + 1}, {squared.data(), k + 1});
             for (std::size_t j = 0; j < found; ++j) {
                 distance[j] = std::sqrt(squared[j]);
                 facing[j] = up.dot(guides.root_frames[near[j]].col(0));
