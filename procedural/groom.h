@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "guides/made_groom.h"
 #include "guides/strands.h"
@@ -19,36 +20,44 @@ struct GuideCount {
     std::optional<std::uint32_t> number;
     std::optional<double> share;  ///< 0 to 1
 
-    /// Of `strands`: all of up to 500, else 500, where neither is said.
+    /// Of `strands`: where neither is said, all of up to 500, else 500.
     std::uint32_t of(std::size_t strands) const;
 };
 
-/// "400" or "5%"; throws InputError that begins with `where`.
+/// "400" or "5%". Throws InputError that begins with `where`.
 GuideCount parse_guide_count(const std::string& text, const std::string& where);
 
+/// The axes and units of a groom's files.
+struct SceneUnits {
+    Vec3 up = Vec3::UnitY();
+    double metres_per_unit = 0.01;
+    Vec3 gravity = Vec3(0, -981, 0);  ///< cm/s^2
+
+    double centimetres_per_unit() const { return 100 * metres_per_unit; }
+};
+
 struct Groom {
-    std::string name;                       ///< of the file, for messages
-    std::filesystem::path strands_file;     ///< .hair; empty where the groom is made
-    std::optional<MadeGroomSettings> made;  ///< a groom and scalp that Lancret makes
-    Basis basis = Basis::catmull_rom;       ///< of the points in `strands_file`
+    std::string name;  ///< of its file, for messages
+    SceneUnits scene;
+    std::filesystem::path strands_file;  ///< .hair; empty where the groom is made
+    MadeGroomSettings made;              ///< of the groom and scalp that Lancret makes
+    Basis basis = Basis::catmull_rom;    ///< of the points in `strands_file`
     GuideCount guides;
     FitSettings fit;
-    std::optional<std::filesystem::path> scalp_file;  ///< .obj
+    std::filesystem::path scalp_file;  ///< .obj; empty without one
     std::optional<double>
-        growth_distance;             ///< cm from a strand of the groom; none: by spacing
-    std::uint32_t strands = 100000;  ///< children
+        growth_distance;            ///< cm from the groom's strands; none: by spacing
+    std::uint32_t strands = 50000;  ///< children
     std::uint64_t seed = 0;
     BindSettings bind;
     ExpandSettings expand;
-    double tolerance = 0.005;      ///< cm, of control points from the guides
+    double tolerance =
+        0.005;  ///< cm, of control points from the guides they would follow
     std::optional<int> intervals;  ///< a strand; none: by tolerance
 };
 
-/// Reads the tables [guides], [scalp], [strands] and [width] of a groom; does not finish
-/// it: [scene], [camera], [material], [light] and [render] belong to the host.
+/// Reads the tables [scene], [guides], [scalp], [strands] and [width]; the other tables
+/// of a groom belong to its host, who also finishes the TOML.
 Groom read_groom(const TomlTable& toml, std::string name);
-
-/// The groom that a .hair file is by itself.
-Groom groom_of_hair(const std::filesystem::path& file);
 
 }  // namespace lancret

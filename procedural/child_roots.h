@@ -1,0 +1,27 @@
+#pragma once
+// Where the children of a groom stand: spread over its scalp, or on the strands' own
+// roots.
+
+#include <optional>
+#include <span>
+
+#include "guides/scalp.h"
+#include "procedural/roots.h"
+
+namespace lancret {
+
+/// `count` roots spread evenly over the part of the scalp that lies within `growth` cm of
+/// one of `grown`, the roots of the groom's strands; root i does not depend on the count.
+/// Without a growth distance, one and a half times the spacing that nine in ten strands
+/// keep. Throws InputError where next to nothing of the scalp is that near.
+Roots roots_on_scalp(const Scalp& scalp, std::span<const Vec3> grown, std::uint32_t count,
+                     std::uint64_t seed, std::optional<double> growth);
+
+/// A groom without a scalp: children stand on the roots of its own strands, `count` of
+/// them drawn by hash of `seed`. Their normals are the mean root tangents of the eight
+/// nearest strands. Throws InputError, beginning with `name`, where the groom has fewer
+/// strands.
+Roots own_roots(std::span<const Vec3> grown, std::span<const Vec3> tangents,
+                std::uint32_t count, std::uint64_t seed, const std::string& name);
+
+}  // namespace lancret

@@ -1,0 +1,134 @@
+#include "procedural/groom.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "guides/errors.h"
+
+namespace lancret {
+
+namespace {
+
+constexpr std::uint32_t kDefaultGuides = 500;
+constexpr std::int64_t kMostStrands = 100'000'000;
+constexpr std::string_view kAxes[] = {"X", "Y", "Z"};
+constexpr std::string_view kBases[] = {"catmull-rom", "bspline"};
+constexpr std::string_view kCurveBases[] = {"bspline", "hermite"};
+constexpr std::string_view kShapes[] = {"flat", "round"};
+
+template <class T, class U>
+void set(T& to, const std::optional<U>& value) {
+    if (value) to = T(*value);
+}
+
+void read_scene(const TomlTable& scene, SceneUnits& out) {
+    if (const auto axis = scene.choice("up", kAxes)) {
+        out.up = Vec3::Unit(int(*axis));
+        out.gravity = -981 * out.up;
+    }
+    set(out.metres_per_unit, scene.number("metres_per_unit", 1e-6, 1e6));
+    set(out.gravity, scene.vector("gravity"));
+}
+
+void read_made(const TomlTable& made, MadeGroomSettings& out) {
+    set(out.strands, made.integer("strands", 1, 1'000'000));
+    set(out.seed, made.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    set(out.length, made.number("length", 0.1, 200));
+    set(out.wave_radius, made.number("curl_radius", 0, 10));
+    set(out.wavelength, made.number("curl_wavelength", 0.1, 100));
+    set(out.frizz, made.number("frizz", 0, 10));
+}
+
+void read_guides(const TomlTable& guides, Groom& out) {
+    set(out.strands_file, guides.path("file"));
+    if (guides.has("file") && guides.has("made")) {
+        guides.fail("made", "a groom has either a 'file' or is 'made', not both");
+    }
+    read_made(guides.table("made"), out.made);
+    if (const auto basis = guides.choice("basis", kBases)) {
+        out.basis = *basis == 0 ? Basis::catmull_rom : Basis::bspline;
+    }
+    set(out.guides.number, guides.integer("count", 1, kMostStrands));
+    set(out.guides.share, guides.number("share", 0, 1));
+    if (out.guides.number && out.guides.share) {
+        guides.fail("share", "guides are chosen by 'count' or by 'share', not both");
+    }
+    set(out.fit.segments, guides.integer("segments", 1, 200));
+    set(out.fit.fit_root_frame, guides.boolean("fit_root_frame"));
+}
+
+void read_strands(const TomlTable& strands, Groom& out) {
+    set(out.strands, strands.integer("count", 1, kMostStrands));
+    set(out.seed, strands.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    std::vector<std::string_view> blends;
+    for (const BlendName& entry : kBlendNames) blends.push_back(entry.name);
+    if (const auto blend = strands.choice("blend", blends)) {
+        out.expand.blend = kBlendNames[*blend].blend;
+    }
+    set(out.bind.neighbours, strands.integer("neighbours", 1, kMaxNeighbours));
+    set(out.bind.exponent, strands.number("exponent", 0, 16));
+    set(out.bind.length_scale, strands.number("length_scale", 0.001, 100));
+    set(out.tolerance, strands.number("tolerance", 1e-4, 10));
+    if (const auto n = strands.integer("intervals", 1, 1000)) out.intervals = int(*n);
+    if (const auto basis = strands.choice("curve", kCurveBases)) {
+        out.expand.basis = *basis == 0 ? CurveBasis::bspline : CurveBasis::hermite;
+    }
+    if (const auto shape = strands.choice("shape", kShapes)) {
+        out.expand.shape = *shape == 0 ? CurveShape::flat : CurveShape::round;
+    }
+}
+
+}  // namespace
+
+std::uint32_t GuideCount::of(std::size_t strands) const {
+    const std::uint32_t all = std::uint32_t(strands);
+    if (number) return std::min(*number, all);
+    if (share)
+        return std::clamp<std::uint32_t>(std::uint32_t(std::lround(*share * all)), 1,
+                                         all);
+    return std::min(kDefaultGuides, all);
+}
+
+GuideCount parse_guide_count(const std::string& text, const std::string& where) {
+    GuideCount out;
+    std::size_t used = 0;
+    double value = 0;
+    try {
+        value = std::stod(text, &used);
+    } catch (const std::exception&) {
+        used = 0;
+    }
+    const std::string unit = text.substr(used);
+    if (used > 0 && unit == "%" && value > 0 && value <= 100) {
+        out.share = value / 100;
+    } else if (used > 0 && unit.empty() && value >= 1 && value <= double(kMostStrands) &&
+               value == std::floor(value)) {
+        out.number = std::uint32_t(value);
+    } else {
+        throw InputError(fmt::format(
+            "{}: '{}' is no number of guides; give a whole number or a share such as 5%",
+            where, text));
+    }
+    return out;
+}
+
+Groom read_groom(const TomlTable& toml, std::string name) {
+    Groom out;
+    out.name = std::move(name);
+    read_scene(toml.table("scene"), out.scene);
+    read_guides(toml.table("guides"), out);
+    const TomlTable scalp = toml.table("scalp");
+    set(out.scalp_file, scalp.path("file"));
+    set(out.growth_distance, scalp.number("growth_distance", 1e-3, 1e4));
+    read_strands(toml.table("strands"), out);
+    const TomlTable width = toml.table("width");
+    // The file speaks of widths, the curves of radii.
+    if (const auto root = width.number("root", 0, 10))
+        out.expand.taper.root = float(*root / 2);
+    if (const auto tip = width.number("tip", 0, 10))
+        out.expand.taper.tip = float(*tip / 2);
+    return out;
+}
+
+}  // namespace lancret
