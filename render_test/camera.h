@@ -1,0 +1,39 @@
+#pragma once
+// A pinhole.
+
+#include "guides/types.h"
+#include "render_test/embree_scene.h"
+
+namespace lancret {
+
+struct Camera {
+    Vec3f position = Vec3f(0, 0, 50);  ///< cm
+    Mat3f frame = Mat3f::Identity();   ///< columns right, up, back; unit
+    float tangent = 0.36397f;          ///< of half the vertical field of view
+    float aspect = 1;                  ///< width / height
+
+    Vec3f view() const { return -frame.col(2); }
+    /// The ray through a place of the picture: (0, 0) its top left corner, (1, 1) its
+    /// bottom right.
+    Ray ray(const Vec2f& place) const;
+};
+
+/// How a camera that frames something by itself looks at it.
+struct Framing {
+    Vec3f view = Vec3f(0, 0, -1);   ///< direction of sight, any length but zero
+    Vec3f up = Vec3f::UnitY();      ///< shown upward
+    float field_of_view = 0.6981f;  ///< vertical, radian (40 degrees)
+    float aspect = 1;               ///< width / height
+    float margin = 1.05f;           ///< distance over the closest from which all is seen
+};
+
+/// A camera at `position` that looks at `target` (cm). Throws std::invalid_argument where
+/// these are the same or the field of view is not within 0 and pi.
+Camera look_at(const Vec3f& position, const Vec3f& target, const Vec3f& up,
+               float field_of_view, float aspect);
+
+/// The camera closest to the box (cm, not empty) from which every corner is seen, then
+/// moved back by the margin. Throws as look_at.
+Camera framed(const Eigen::AlignedBox3f& box, const Framing& framing);
+
+}  // namespace lancret

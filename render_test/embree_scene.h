@@ -1,0 +1,79 @@
+#pragma once
+// Strands and a mesh as rays see them: the only file that knows Embree.
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "guides/triangle_mesh.h"
+#include "guides/types.h"
+#include "procedural/curves.h"
+
+namespace lancret {
+
+struct Ray {
+    Vec3f origin = Vec3f::Zero();      ///< cm
+    Vec3f direction = Vec3f::UnitZ();  ///< unit
+    float near = 0;                    ///< cm along the ray: hits before it do not count
+    float far = std::numeric_limits<float>::infinity();  ///< cm
+};
+
+/// Where a ray first meets something.
+struct Hit {
+    enum class Kind { strand, mesh };
+
+    Kind kind = Kind::strand;
+    std::uint32_t strand = 0;     ///< strands alone
+    std::uint32_t primitive = 0;  ///< segment of all strands, or triangle
+    float u = 0;         ///< along the segment, 0..1; first barycentric of a mesh
+    float v = 0;         ///< second barycentric of a mesh
+    float distance = 0;  ///< cm
+    Vec3f position = Vec3f::Zero();  ///< cm
+    Vec3f normal = Vec3f::UnitZ();   ///< unit. A mesh: by its winding, towards either
+                                    ///< side. Flat strands: across the tangent, to the
+                                    ///< ray's origin. Round strands: outward.
+    Vec3f tangent =
+        Vec3f::UnitX();  ///< unit, root to tip; of a mesh, along its first edge
+    Vec3f facing = Vec3f::UnitZ();  ///< strands: unit, across the tangent and nearest to
+                                    ///< the direction back along the ray
+    Vec3f offset = Vec3f::Zero();  ///< strands: from the axis to the hit, across the
+                                   ///< tangent, cm
+    float radius = 0;              ///< strands: cm
+    float h = 0;               ///< strands: offset . (facing x tangent) / radius, -1..1
+    Vec2f uv = Vec2f::Zero();  ///< a mesh with UVs
+};
+
+struct HairSceneOptions {
+    /// Pieces that a flat segment is cut into, 1..16. One is fastest and shows corners in
+    /// a close-up of curls.
+    int tessellation = 4;
+};
+
+/// Built once, then read by any number of threads. The control points are shared, not
+/// copied: `curves` must outlive the scene. The mesh is copied.
+class HairScene {
+  public:
+    /// Builds on all threads. Throws std::invalid_argument where an index points outside
+    /// its array, std::runtime_error where Embree fails.
+    explicit HairScene(const Curves& curves, const TriangleMesh* mesh = nullptr,
+                       const HairSceneOptions& options = {});
+    ~HairScene();
+    HairScene(HairScene&&) noexcept;
+    HairScene& operator=(HairScene&&) noexcept;
+
+    std::optional<Hit> intersect(const Ray& ray) const;
+    bool occluded(const Ray& ray) const;
+
+    /// Box around everything, cm; empty if there is nothing.
+    Eigen::AlignedBox3f bounds() const;
+    /// What Embree holds for this scene, without the shared control points.
+    std::size_t bvh_bytes() const;
+    double build_seconds() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lancret

@@ -1,0 +1,76 @@
+#pragma once
+// How a strand scatters light at one offset h across it [Chiang et al. 2016, "A Practical
+// and Controllable Hair and Fur Model for Production Path Tracing"].
+//
+// Lobes: R (off the surface), TT (through), TRT (once inside), and the residual of all
+// longer paths. Each is a longitudinal M, an azimuthal N and an attenuation A.
+//
+// Local axes of a direction: x the tangent from root to tip, z across the tangent and
+// nearest to the viewer, y = z cross x. So the viewer `wo` has y = 0, and h is positive
+// towards +y. Values are f(wo, wi) times the cosine of wi's inclination to the plane
+// across the strand: what a path tracer multiplies by, with nothing left to add. They
+// integrate to one over the sphere of wi where nothing is absorbed.
+
+#include <array>
+#include <optional>
+
+#include "guides/types.h"
+#include "render_test/hair_colour.h"
+
+namespace lancret {
+
+inline constexpr int kHairLobes = 4;
+
+/// A value and the density of sampling it, always from one evaluation.
+struct BsdfValue {
+    Vec3f value = Vec3f::Zero();  ///< BSDF times cosine, 1/sr
+    float pdf = 0;                ///< 1/sr
+};
+
+struct BsdfSample {
+    Vec3f direction;  ///< unit
+    BsdfValue at;     ///< pdf > 0
+};
+
+/// What of a material is the same at every hit.
+struct HairModel {
+    explicit HairModel(const HairMaterial& material);  ///< throws std::invalid_argument
+
+    struct Lobe {
+        float variance;      ///< v of M
+        float spread;        ///< 1 - exp(-2 / v)
+        float sine, cosine;  ///< of the turn of wo's inclination by the scales' tilt
+    };
+    std::array<Lobe, kHairLobes> lobes;
+    Vec3f sigma_a;  ///< per radius
+    float eta;
+    float s;       ///< scale of the logistic N
+    float s_tail;  ///< its distribution function at -pi, untrimmed
+};
+
+/// The lobes at one hit.
+class HairBsdf {
+  public:
+    /// `wo` is unit, in local axes (y = 0); h in [-1, 1].
+    HairBsdf(const HairModel& model, const Vec3f& wo, float h);
+
+    BsdfValue evaluate(const Vec3f& wi) const;
+    /// `pick` chooses the lobe; all in [0, 1). Nothing where the density underflows.
+    std::optional<BsdfSample> sample(float pick, float azimuth,
+                                     const Vec2f& longitude) const;
+
+  private:
+    struct Lobe {
+        Vec3f attenuation;   ///< A
+        float probability;   ///< of sampling it
+        float sine, cosine;  ///< of wo's inclination, turned by the tilt
+        float phi;           ///< azimuth of the specular path; unused by the residual
+    };
+    const HairModel* model_;
+    std::array<Lobe, kHairLobes> lobes_;
+};
+
+/// Reflectance of a dielectric interface of relative index `eta` > 1, met from outside.
+float fresnel_dielectric(float cosine, float eta);
+
+}  // namespace lancret

@@ -1,0 +1,39 @@
+#include "render_test/hair_colour.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace lancret {
+
+Vec3f sigma_a_of_melanin(float eumelanin, float pheomelanin) {
+    return eumelanin * Vec3f(0.419f, 0.697f, 1.37f) +
+           pheomelanin * Vec3f(0.187f, 0.4f, 1.05f);
+}
+
+Vec3f sigma_a_of_colour(const Vec3f& colour, float beta_n) {
+    const float b = beta_n;
+    const float fit =
+        5.969f + b * (-0.215f + b * (2.532f + b * (-10.73f + b * (5.574f + b * 0.245f))));
+    const Eigen::Array3f kept = colour.array().max(0.001f).min(0.999f);
+    return (kept.log() / fit).square();
+}
+
+Vec3f sigma_a_of(const HairMaterial& material) {
+    if (material.sigma_a) {
+        if (!material.sigma_a->allFinite() || material.sigma_a->minCoeff() < 0)
+            throw std::invalid_argument("hair sigma_a must be finite and not negative");
+        return *material.sigma_a;
+    }
+    if (material.colour) {
+        if (!material.colour->allFinite() || material.colour->minCoeff() < 0 ||
+            material.colour->maxCoeff() > 1)
+            throw std::invalid_argument("hair colour must be within 0 and 1");
+        return sigma_a_of_colour(*material.colour, material.beta_n);
+    }
+    if (!(material.eumelanin >= 0) || !(material.pheomelanin >= 0) ||
+        !std::isfinite(material.eumelanin + material.pheomelanin))
+        throw std::invalid_argument("melanin must be finite and not negative");
+    return sigma_a_of_melanin(material.eumelanin, material.pheomelanin);
+}
+
+}  // namespace lancret

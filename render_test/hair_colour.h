@@ -1,0 +1,35 @@
+#pragma once
+// What a strand absorbs, from its pigments or from the colour it should look like.
+
+#include <optional>
+
+#include "guides/types.h"
+
+namespace lancret {
+
+/// What a strand is made of, as a user says it.
+struct HairMaterial {
+    float eumelanin = 1.3f;        ///< concentration >= 0: 0.3 blond, 1.3 brown, 8 black
+    float pheomelanin = 0;         ///< concentration >= 0: red
+    std::optional<Vec3f> colour;   ///< linear RGB in (0, 1): stands in for the pigments
+    std::optional<Vec3f> sigma_a;  ///< absorption a radius, >= 0: stands in for both
+    float beta_m = 0.3f;           ///< longitudinal roughness, 0.01 to 1
+    float beta_n = 0.3f;           ///< azimuthal roughness, 0.01 to 1
+    float tilt = 0.035f;           ///< of the cuticle's scales, radian (2 degrees)
+    float eta = 1.55f;             ///< index of refraction, 1.01 to 5
+};
+
+/// Absorption coefficient of pigments, per strand radius, RGB [Chiang et al. 2016; the
+/// spectra of d'Eon et al. 2011].
+Vec3f sigma_a_of_melanin(float eumelanin, float pheomelanin);
+
+/// The absorption at which a dense groom of azimuthal roughness `beta_n` shows about this
+/// colour under many bounces [Chiang et al. 2016, Eq. 9]. Colours are kept in
+/// [0.001, 0.999].
+Vec3f sigma_a_of_colour(const Vec3f& colour, float beta_n);
+
+/// What the material says; throws std::invalid_argument where a value is out of its
+/// range.
+Vec3f sigma_a_of(const HairMaterial& material);
+
+}  // namespace lancret

@@ -1,0 +1,47 @@
+#pragma once
+// Pictures in memory and on disk: the only file that knows OpenImageIO and OpenEXR.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "guides/types.h"
+#include "render_test/environment.h"
+
+namespace lancret {
+
+inline constexpr std::uint32_t kNothingId = 0xffffffffu, kMeshId = 0xfffffffeu;
+
+/// A render with its layers, row after row from the top. Layers other than rgba are means
+/// over the samples of a pixel that hit something (zero where none did); `id` is that of
+/// the first sample.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<Eigen::Vector4f> rgba;  ///< linear, times coverage; coverage
+    std::vector<float> depth;           ///< along the direction of sight, cm
+    std::vector<Vec3f> normal;          ///< towards the viewer, world axes
+    std::vector<Vec3f> tangent;         ///< root to tip, world axes; zero on a mesh
+    std::vector<std::uint32_t> id;      ///< strand, kMeshId or kNothingId
+
+    Image() = default;
+    Image(int w, int h);
+};
+
+/// Writes by extension, beside and then renamed. Throws InputError that names the path.
+///   .exr  R, G, B, A (half); Z (float); N.X, N.Y, N.Z, T.X, T.Y, T.Z (half); id (uint);
+///         ZIP compression
+///   .png  8 bits a channel, sRGB. With a `background` (linear) the picture is laid over
+///         it; else it has alpha, not premultiplied.
+void write_image(const std::filesystem::path& path, const Image& image,
+                 const std::optional<Vec3f>& background = std::nullopt);
+
+/// Reads any colour image as linear RGB: 8-bit and 16-bit integers are taken as sRGB,
+/// grey as equal RGB, negative values as zero. Throws InputError that names the path.
+ColourMap read_colour_map(const std::filesystem::path& path);
+
+/// The sRGB code, 0..1, of a linear value; clamped.
+float srgb_of_linear(float linear);
+float linear_of_srgb(float code);
+
+}  // namespace lancret

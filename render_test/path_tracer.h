@@ -1,0 +1,49 @@
+#pragma once
+// Light along one path: next-event estimation and sampling of the material, combined by
+// multiple importance sampling [Veach 1997].
+
+#include <optional>
+
+#include "render_test/embree_scene.h"
+#include "render_test/hair_bsdf.h"
+#include "render_test/lights.h"
+#include "render_test/sampler.h"
+
+namespace lancret {
+
+/// A dull surface, the same on both sides.
+struct MeshMaterial {
+    Vec3f colour = Vec3f(0.18f, 0.13f, 0.11f);  ///< share of light sent back, 0..1
+    std::optional<ColourMap> texture;           ///< by UV, times `colour`
+};
+
+/// What light meets. The geometry must outlive it.
+struct RenderScene {
+    const HairScene* geometry = nullptr;
+    HairModel hair{HairMaterial{}};
+    MeshMaterial mesh;
+    Lights lights;
+};
+
+struct PathSettings {
+    int max_depth = 64;             ///< scatterings along a path; pale hair needs many
+    int roulette_depth = 8;         ///< from here on, a path ends by chance
+    bool show_environment = false;  ///< to the camera; then alpha is one everywhere
+};
+
+struct PathResult {
+    Vec3f radiance = Vec3f::Zero();
+    std::optional<Hit> first;  ///< what the camera sees
+};
+
+/// Follows one path. Nothing is clamped: a sample may be far brighter than its pixel.
+PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ray ray,
+                      Sampler& sampler);
+
+/// How far from a strand's hit a ray in `direction` starts to count, cm. Scattering has
+/// already carried it through: a ribbon stands for a cylinder, and would otherwise be met
+/// again as it turns to face the new ray. This is where the ray leaves the cylinder, at
+/// most ten radii on (rays nearly along the strand).
+float strand_clearance(const Hit& hit, const Vec3f& direction);
+
+}  // namespace lancret

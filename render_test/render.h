@@ -1,0 +1,27 @@
+#pragma once
+// A picture from a scene and a camera.
+
+#include <cstdint>
+#include <functional>
+
+#include "render_test/camera.h"
+#include "render_test/image.h"
+#include "render_test/path_tracer.h"
+
+namespace lancret {
+
+struct RenderSettings {
+    int width = 640, height = 640;  ///< pixels
+    int samples = 64;               ///< paths a pixel, spread evenly over its square
+    std::uint64_t seed = 0;
+    PathSettings path;
+};
+
+/// Renders on all threads; the same bits for any number of them. `progress`, where given,
+/// is called with the share done, 0..1, from any thread but one at a time. Throws
+/// std::invalid_argument where a setting is out of its range.
+Image render(const RenderScene& scene, const Camera& camera,
+             const RenderSettings& settings,
+             const std::function<void(double done)>& progress = {});
+
+}  // namespace lancret

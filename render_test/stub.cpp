@@ -1,1 +1,0 @@
-#include "procedural/curves.h"

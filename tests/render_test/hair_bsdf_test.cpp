@@ -1,0 +1,271 @@
+#include "render_test/hair_bsdf.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+
+#include "render_test/sampling.h"
+#include "tests/render_test/statistics.h"
+
+namespace lancret {
+namespace {
+
+Vec3f viewer(float inclination) {
+    return {std::sin(inclination), 0, std::cos(inclination)};
+}
+
+HairMaterial material(float beta_m, float beta_n, float tilt, float sigma_a) {
+    HairMaterial m;
+    m.beta_m = beta_m, m.beta_n = beta_n, m.tilt = tilt;
+    m.sigma_a = Vec3f::Constant(sigma_a);
+    return m;
+}
+
+struct Random {
+    std::mt19937 engine;
+    float operator()() { return unit_float_of(engine()); }
+    Vec2f pair() {
+        const float x = (*this)();
+        return {x, (*this)()};
+    }
+    static float unit_float_of(std::uint32_t bits) { return float(bits >> 8) * 0x1p-24f; }
+};
+
+std::optional<BsdfSample> draw(const HairBsdf& bsdf, Random& random) {
+    const float pick = random(), azimuth = random();
+    return bsdf.sample(pick, azimuth, random.pair());
+}
+
+/// The share of light sent on, by importance sampling.
+Mean albedo(const HairBsdf& bsdf, int count, Random& random) {
+    Mean mean;
+    for (int i = 0; i < count; ++i) {
+        const auto sample = draw(bsdf, random);
+        mean.add(sample ? sample->at.value.x() / sample->at.pdf : 0);
+    }
+    return mean;
+}
+
+TEST(HairBsdf, WhiteFurnaceByUniformDirectionsSendsAllLightOn) {
+    Random random{std::mt19937(1)};
+    int tries = 0, outside = 0;
+    for (const float beta_m : {0.1f, 0.3f, 0.6f, 1.0f})
+        for (const float beta_n : {0.1f, 0.4f, 1.0f})
+            for (const float tilt : {0.0f, 0.05f, -0.2f})
+                for (const float inclination : {0.0f, 0.7f, -1.4f}) {
+                    const HairModel model(material(beta_m, beta_n, tilt, 0));
+                    Mean mean;
+                    for (int i = 0; i < 6000; ++i) {
+                        const HairBsdf bsdf(model, viewer(inclination), 2 * random() - 1);
+                        const BsdfValue at = bsdf.evaluate(uniform_sphere(random.pair()));
+                        mean.add(at.value.x() * 4 * M_PI);
+                    }
+                    ++tries;
+                    // The mean of rare large values is skewed at few samples, so a bound
+                    // of kSigmas holds for the sum of all, three sigmas for most.
+                    outside += std::abs(mean.value() - 1) > 3 * mean.error();
+                }
+    // A chance of 0.003 to 0.02 each, by skewness: of 108, more than 10 come once in 1e4.
+    EXPECT_EQ(tries, 108);
+    EXPECT_LE(outside, 10);
+}
+
+TEST(HairBsdf, WhiteFurnaceBySamplingHasWeightOneForEverySample) {
+    // With nothing absorbed the lobes' attenuations sum to one, and the density is the
+    // value itself: the weight is one up to the rounding of four products and sums in
+    // float, 16 half-ulps of 6e-8.
+    Random random{std::mt19937(2)};
+    for (const float beta : {0.01f, 0.1f, 0.3f, 1.0f})
+        for (int i = 0; i < 2000; ++i) {
+            const HairModel model(material(beta, beta, 0.3f * random() - 0.15f, 0));
+            const HairBsdf bsdf(model, viewer(3.1f * random() - 1.55f), 2 * random() - 1);
+            const auto sample = draw(bsdf, random);
+            ASSERT_TRUE(sample);
+            EXPECT_NEAR(sample->at.value.x() / sample->at.pdf, 1, 1e-6);
+        }
+}
+
+TEST(HairBsdf, DensityIntegratesToOne) {
+    // Midpoints on 600 x 1200 places: the widest spacing, 1/300 in sin(theta), is a tenth
+    // of the narrowest lobe's width (sqrt(v) / 2 = 0.04 for beta_m = 0.1), where the
+    // midpoint rule on a smooth bump is exact to 1e-4; float sums add 1e-6. The kink of
+    // the logistic at the trim costs as much again.
+    const SphereBins bins(20, 40);
+    for (const float beta_m : {0.1f, 0.4f, 1.0f})
+        for (const float inclination : {0.0f, -0.6f, 1.3f})
+            for (const float h : {-0.95f, 0.2f, 0.7f}) {
+                const HairModel model(material(beta_m, 0.2f, 0.06f, 0.3f));
+                const HairBsdf bsdf(model, viewer(inclination), h);
+                const auto parts = bins.integrals(
+                    [&](const Vec3f& d) { return bsdf.evaluate(d).pdf; }, 30);
+                EXPECT_NEAR(std::accumulate(parts.begin(), parts.end(), 0.0), 1, 3e-4)
+                    << beta_m << ' ' << inclination << ' ' << h;
+            }
+}
+
+double sampling_chance(const HairMaterial& m, float inclination, float h, int count,
+                       int fine, unsigned seed) {
+    const HairModel model(m);
+    const HairBsdf bsdf(model, viewer(inclination), h);
+    SphereBins bins(24, 48);
+    Random random{std::mt19937(seed)};
+    for (int i = 0; i < count; ++i) bins.add(draw(bsdf, random).value().direction);
+    auto expected =
+        bins.integrals([&](const Vec3f& d) { return bsdf.evaluate(d).pdf; }, fine);
+    for (double& e : expected) e *= count;
+    return pearson_chance(bins.counts, expected);
+}
+
+TEST(HairBsdf, SampledDirectionsFollowTheDensity) {
+    // Four tests, each wrong once in 1000.
+    EXPECT_GT(
+        sampling_chance(material(0.2f, 0.3f, 0.05f, 0.2f), 0.3f, 0.4f, 50000, 16, 1),
+        1e-3);
+    EXPECT_GT(sampling_chance(material(0.5f, 0.2f, 0.1f, 0), -0.9f, -0.8f, 50000, 16, 2),
+              1e-3);
+    EXPECT_GT(sampling_chance(material(1, 1, 0, 1), 0, 0, 50000, 12, 3), 1e-3);
+    EXPECT_GT(
+        sampling_chance(material(0.3f, 0.3f, -0.1f, 0.1f), 1.45f, 0.99f, 50000, 16, 4),
+        1e-3);
+}
+
+TEST(SlowHairBsdf, SampledDirectionsFollowTheDensityEverywhere) {
+    // 60 tests of a million samples; one is wrong by chance once in 100 runs in all.
+    unsigned seed = 10;
+    for (const float beta : {0.1f, 0.3f, 0.6f, 1.0f})
+        for (const float inclination : {0.0f, 0.8f, -1.2f})
+            for (const float h : {-0.99f, -0.5f, 0.0f, 0.6f, 1.0f})
+                EXPECT_GT(sampling_chance(material(beta, beta, 0.06f, 0.2f), inclination,
+                                          h, 1000000, beta < 0.2f ? 48 : 24, ++seed),
+                          0.01 / 60)
+                    << beta << ' ' << inclination << ' ' << h;
+}
+
+TEST(HairBsdf, ImportanceAndUniformSamplingAgree) {
+    Random random{std::mt19937(5)};
+    for (const float sigma_a : {0.1f, 1.0f, 5.0f}) {
+        const HairModel model(material(0.5f, 0.6f, 0.05f, sigma_a));
+        const HairBsdf bsdf(model, viewer(0.4f), -0.3f);
+        Mean uniform;
+        for (int i = 0; i < 100000; ++i)
+            uniform.add(bsdf.evaluate(uniform_sphere(random.pair())).value.x() * 4 *
+                        M_PI);
+        const Mean importance = albedo(bsdf, 100000, random);
+        EXPECT_NEAR(uniform.value(), importance.value(),
+                    kSigmas * std::hypot(uniform.error(), importance.error()));
+    }
+}
+
+TEST(HairBsdf, MorePigmentSendsLessLightOn) {
+    // The same random numbers for each: the lobes' shares change, so compare beyond
+    // error.
+    Mean last;
+    last.add(1);
+    for (const float eumelanin : {0.1f, 0.3f, 1.0f, 3.0f, 8.0f}) {
+        HairMaterial m;
+        m.eumelanin = eumelanin;
+        const HairModel model(m);
+        Random random{std::mt19937(6)};
+        Mean mean;
+        for (int i = 0; i < 20000; ++i) {
+            const HairBsdf bsdf(model, viewer(0.2f), 2 * random() - 1);
+            const auto sample = draw(bsdf, random);
+            ASSERT_TRUE(sample);
+            mean.add(sample->at.value.x() / sample->at.pdf);
+        }
+        EXPECT_LT(mean.value(), last.value() - kSigmas * mean.error()) << eumelanin;
+        last = mean;
+    }
+    EXPECT_GT(last.value(), 0.04);  // what the surface reflects is left at any pigment
+}
+
+TEST(HairBsdf, NothingIsNanAtTheEdges) {
+    Random random{std::mt19937(7)};
+    for (const float beta : {0.01f, 0.3f, 1.0f})
+        for (const float sigma_a : {0.0f, 1e-6f, 1.0f, 1e4f})
+            for (const float x : {-1.0f, -0.99999f, 0.0f, 1e-20f, 1.0f})
+                for (const float h : {-1.0f, -0.9999999f, 0.0f, 1.0f}) {
+                    const HairModel model(material(beta, beta, 0.05f, sigma_a));
+                    const Vec3f wo(x, 0, std::sqrt(1 - x * x));
+                    const HairBsdf bsdf(model, wo, h);
+                    for (const Vec3f& wi : {wo, Vec3f(-wo), Vec3f(1, 0, 0),
+                                            Vec3f(-1, 0, 0), Vec3f(0, 1, 0)}) {
+                        const BsdfValue at = bsdf.evaluate(wi);
+                        ASSERT_TRUE(at.value.allFinite() && std::isfinite(at.pdf));
+                        ASSERT_TRUE(at.value.minCoeff() >= 0 && at.pdf >= 0);
+                    }
+                    for (const float r : {0.0f, 0.5f, 0x1.fffffep-1f}) {
+                        const auto sample = bsdf.sample(r, r, {r, r});
+                        if (!sample) continue;
+                        ASSERT_TRUE(sample->direction.allFinite());
+                        ASSERT_NEAR(sample->direction.norm(), 1, 1e-5);
+                        // A weight is at most one: a lobe's colour over its luminance,
+                        // grey here.
+                        ASSERT_LE(sample->at.value.x(), sample->at.pdf * 1.00001f);
+                    }
+                }
+}
+
+TEST(HairBsdf, SurfaceHighlightLeansTowardsTheRoot) {
+    // All but R absorbed; R's mean direction is mirrored about a normal that leans to the
+    // root by the tilt, so its inclination is minus twice the tilt. The spread shortens
+    // the mean of sin by at most v / 2 of itself: v = 0.0065.
+    const float tilt = 0.1f;
+    const HairModel model(material(0.1f, 0.3f, tilt, 1e4f));
+    const HairBsdf bsdf(model, viewer(0), 0.3f);
+    Random random{std::mt19937(8)};
+    Mean mean;
+    for (int i = 0; i < 20000; ++i) mean.add(draw(bsdf, random).value().direction.x());
+    EXPECT_NEAR(mean.value(), -std::sin(2 * tilt),
+                kSigmas * mean.error() + 0.0065 * std::sin(2 * tilt));
+}
+
+TEST(HairBsdf, OffsetToOneSideReflectsToThatSide) {
+    // At h the surface's normal has the component h along y: R goes to 2 asin(h) from the
+    // viewer. The logistic is symmetric about it.
+    const float h = 0.5f;
+    const HairModel model(material(0.1f, 0.05f, 0, 1e4f));
+    const HairBsdf bsdf(model, viewer(0), h);
+    Random random{std::mt19937(9)};
+    Mean angle;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3f d = draw(bsdf, random).value().direction;
+        angle.add(std::atan2(d.y(), d.z()));
+    }
+    EXPECT_NEAR(angle.value(), 2 * std::asin(h), kSigmas * angle.error());
+}
+
+TEST(HairBsdf, FresnelIsThatOfGlassAtNormalIncidenceAndOneAtGrazing) {
+    EXPECT_NEAR(fresnel_dielectric(1, 1.5f), 0.04f, 1e-6);
+    EXPECT_FLOAT_EQ(fresnel_dielectric(0, 1.5f), 1);
+}
+
+TEST(HairColour, AbsorptionOfAColourComesBackFromTheFit) {
+    // Chiang's fit at beta_n = 0.3: sqrt(sigma) = ln(c) / 5.8714...
+    const double b = 0.3;
+    const double fit = 5.969 - 0.215 * b + 2.532 * b * b - 10.73 * b * b * b +
+                       5.574 * std::pow(b, 4) + 0.245 * std::pow(b, 5);
+    const Vec3f sigma = sigma_a_of_colour(Vec3f(0.9f, 0.5f, 0.1f), 0.3f);
+    EXPECT_NEAR(sigma.y(), std::pow(std::log(0.5) / fit, 2), 1e-7);
+    EXPECT_LT(sigma.x(), sigma.y());
+    EXPECT_LT(sigma.y(), sigma.z());
+}
+
+TEST(HairColour, RefusesWhatIsOutOfRange) {
+    HairMaterial m;
+    m.beta_m = 0;
+    EXPECT_THROW(HairModel{m}, std::invalid_argument);
+    m = {};
+    m.eumelanin = -1;
+    EXPECT_THROW(HairModel{m}, std::invalid_argument);
+    m = {};
+    m.colour = Vec3f(0.5f, 2, 0);
+    EXPECT_THROW(HairModel{m}, std::invalid_argument);
+    m = {};
+    m.eta = 1;
+    EXPECT_THROW(HairModel{m}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lancret
