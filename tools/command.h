@@ -1,0 +1,50 @@
+#pragma once
+// What the subcommands share.
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "procedural/generator.h"
+#include "render_test/preview_settings.h"
+
+namespace lancret {
+
+/// Exit codes of every subcommand.
+enum ExitCode { kFine = 0, kCheckFailed = 1, kBadInput = 2 };
+
+/// Options that every subcommand which grows strands takes.
+struct GroomOptions {
+    std::filesystem::path input;
+    std::string scalp, guides, blend, basis;
+    std::optional<std::uint32_t> strands;
+    std::optional<int> segments, intervals;
+    std::optional<std::uint64_t> seed;
+    std::string stats;  ///< JSON file; empty: none
+    int threads = 0;    ///< 0: all
+};
+
+void add_groom_options(CLI::App& command, GroomOptions& options);
+
+/// A groom and how to look at it.
+struct Job {
+    Groom groom;
+    PreviewSettings preview;
+};
+
+/// Reads GROOM.toml, FILE.hair or GUIDES.h5 and lays the options over it. Throws InputError.
+Job read_job(const GroomOptions& options);
+
+/// make_generator with its stages on a terminal, and its warnings on stderr.
+Generator run_generator(const Groom& groom);
+
+/// Each subcommand adds itself to `app`; its work runs when it is chosen and leaves its exit code
+/// in `exit_code`.
+void add_preview(CLI::App& app, int& exit_code);
+void add_expand(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
+void add_fit(CLI::App& app, int& exit_code);
+void add_info(CLI::App& app, int& exit_code);
+
+}  // namespace lancret
