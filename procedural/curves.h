@@ -39,4 +39,8 @@ struct Curves {
     }
 };
 
+/// A box that holds every curve with its width, cm: that of the control points, whose
+/// hull holds the curves.
+Eigen::AlignedBox3f bounds(const Curves& curves);
+
 }  // namespace lancret

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "procedural/generator.h"
 #include "render_test/preview_settings.h"
@@ -14,7 +15,7 @@ namespace lancret {
 /// Exit codes of every subcommand.
 enum ExitCode { kFine = 0, kCheckFailed = 1, kBadInput = 2 };
 
-/// Options that every subcommand which grows strands takes.
+/// Options of every subcommand that grows strands.
 struct GroomOptions {
     std::filesystem::path input;
     std::string scalp, guides, blend, basis;
@@ -22,7 +23,6 @@ struct GroomOptions {
     std::optional<int> segments, intervals;
     std::optional<std::uint64_t> seed;
     std::string stats;  ///< JSON file; empty: none
-    int threads = 0;    ///< 0: all
 };
 
 void add_groom_options(CLI::App& command, GroomOptions& options);
@@ -33,14 +33,18 @@ struct Job {
     PreviewSettings preview;
 };
 
-/// Reads GROOM.toml, FILE.hair or GUIDES.h5 and lays the options over it. Throws InputError.
+/// Reads GROOM.toml, FILE.hair or GUIDES.h5 and lays the options over it. Throws
+/// InputError.
 Job read_job(const GroomOptions& options);
 
-/// make_generator with its stages on a terminal, and its warnings on stderr.
+/// make_generator with its stages on a terminal and its warnings on stderr.
 Generator run_generator(const Groom& groom);
 
-/// Each subcommand adds itself to `app`; its work runs when it is chosen and leaves its exit code
-/// in `exit_code`.
+/// "1280x720"; throws InputError.
+std::pair<int, int> parse_size(const std::string& text);
+
+/// Each subcommand adds itself to `app`; its work runs when it is chosen and leaves its
+/// exit code in `exit_code`.
 void add_preview(CLI::App& app, int& exit_code);
 void add_expand(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);

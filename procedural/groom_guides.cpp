@@ -1,0 +1,179 @@
+#include "procedural/groom_guides.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "guides/closest_point.h"
+#include "guides/errors.h"
+#include "guides/farthest_points.h"
+#include "guides/guide_cache.h"
+#include "guides/hair_file.h"
+#include "guides/obj_file.h"
+#include "procedural/stopwatch.h"
+
+namespace lancret {
+
+namespace {
+
+/// Roots and root tangents of strands that have a length.
+struct StrandRoots {
+    std::vector<std::uint32_t> strands;  ///< which they are
+    std::vector<Vec3> positions, tangents;
+};
+
+StrandRoots strand_roots(const Strands& strands) {
+    std::vector<std::optional<CurvePoint>> starts(strands.size());
+    tbb::parallel_for(std::size_t(0), strands.size(), [&](std::size_t i) {
+        if (const auto curve = strand_curve(strands, i)) {
+            starts[i] = evaluate(*curve, curve->knots.front());
+            starts[i]->d1 = unit_tangent(*curve, curve->knots.front());
+        }
+    });
+    StrandRoots out;
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        if (!starts[i]) continue;
+        out.strands.push_back(std::uint32_t(i));
+        out.positions.push_back(starts[i]->position);
+        out.tangents.push_back(starts[i]->d1);
+    }
+    return out;
+}
+
+template <class T>
+std::vector<T> picked(const std::vector<T>& from, std::span<const std::uint32_t> which) {
+    std::vector<T> out;
+    for (const std::uint32_t i : which) out.push_back(from[i]);
+    return out;
+}
+
+/// The strands that a groom starts from, in cm, and its scalp, where it has one.
+struct LoadedGroom {
+    Strands strands;
+    std::optional<TriangleMesh> scalp;
+};
+
+LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
+    LoadedGroom out;
+    if (groom.strands_file.empty()) {
+        MadeGroom made = make_groom(groom.made);
+        out.strands = std::move(made.strands);
+        out.scalp = std::move(made.scalp);
+    } else {
+        HairReport report;
+        out.strands = read_hair(groom.strands_file, &report);
+        out.strands.basis = groom.basis;
+        warnings = std::move(report.warnings);
+        if (report.dropped_strands > 0) {
+            warnings.push_back(fmt::format("{}: {} strands of one point were left out",
+                                           groom.strands_file.string(),
+                                           report.dropped_strands));
+        }
+    }
+    const float scale = float(groom.scene.centimetres_per_unit());
+    if (scale != 1 && !groom.strands_file.empty()) {
+        for (Vec3f& p : out.strands.points) p *= scale;
+        for (float& t : out.strands.thickness) t *= scale;
+        out.strands.default_thickness *= scale;
+    }
+    return out;
+}
+
+std::optional<Scalp> load_scalp(const Groom& groom) {
+    if (groom.scalp_file.empty()) return std::nullopt;
+    TriangleMesh mesh = read_obj(groom.scalp_file);
+    const float scale = float(groom.scene.centimetres_per_unit());
+    for (Vec3f& p : mesh.positions) p *= scale;
+    return make_scalp(std::move(mesh));
+}
+
+/// Guides from a cache: they are the groom.
+void take_cached(const Groom& groom, GroomGuides& out) {
+    out.guides = read_guide_cache(groom.strands_file, 0);
+    out.groom_strands = out.guides.size();
+    out.grown_roots = out.guides.root_positions;
+    for (const Mat3& frame : out.guides.root_frames)
+        out.grown_tangents.push_back(frame.col(0));
+}
+
+/// Guides chosen from strands and fitted to them.
+void fit_chosen(const Groom& groom, const Strands& strands, const StrandRoots& roots,
+                GroomGuides& out) {
+    const std::uint32_t count = groom.guides.of(roots.strands.size());
+    const auto chosen = farthest_points(roots.positions, count, groom.seed);
+    std::vector<Vec3> surface_tangents;
+    if (out.scalp) {
+        const ClosestPoint closest(out.scalp->mesh);
+        for (const std::uint32_t i : chosen) {
+            const MeshPoint point = closest.closest(roots.positions[i]).point;
+            surface_tangents.push_back(surface_frame(*out.scalp, point).col(1));
+        }
+    }
+    FittedGuides fitted =
+        fit_guides(strands, picked(roots.strands, chosen), surface_tangents, groom.fit);
+    out.guides = std::move(fitted.guides);
+    out.fits = std::move(fitted.reports);
+}
+
+/// Puts the guides' roots on the scalp and takes its normals there; without a scalp, a
+/// guide's own direction is the normal.
+void stand_on_scalp(GroomGuides& out) {
+    if (!out.scalp) {
+        for (const Mat3& frame : out.guides.root_frames) {
+            out.normals.push_back(frame.col(0).cast<float>());
+        }
+        return;
+    }
+    // Below a thousandth of a millimetre a root in a single-precision file is on the
+    // surface.
+    constexpr double kOnSurface = 1e-4;
+    const ClosestPoint closest(out.scalp->mesh);
+    for (Vec3& root : out.guides.root_positions) {
+        const ClosestResult nearest = closest.closest(root);
+        root = nearest.position;
+        out.normals.push_back(scalp_normal(*out.scalp, nearest.point).cast<float>());
+        out.snapped_roots += nearest.distance > kOnSurface;
+        out.largest_snap = std::max(out.largest_snap, nearest.distance);
+    }
+}
+
+}  // namespace
+
+GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
+    const auto enter = [&](const char* name) {
+        if (stage) stage(name);
+    };
+    GroomGuides out;
+    Stopwatch watch;
+    enter("load");
+    out.scalp = load_scalp(groom);
+    if (groom.strands_file.extension() == ".h5") {
+        take_cached(groom, out);
+        stand_on_scalp(out);
+        out.seconds.load = watch.lap();
+        return out;
+    }
+    LoadedGroom loaded = load_groom(groom, out.warnings);
+    out.groom_strands = loaded.strands.size();
+    if (!out.scalp && loaded.scalp) out.scalp = make_scalp(std::move(*loaded.scalp));
+    const StrandRoots roots = strand_roots(loaded.strands);
+    if (roots.strands.empty()) {
+        throw InputError(fmt::format("{}: no strand has a length", groom.name));
+    }
+    if (const std::size_t flat = loaded.strands.size() - roots.strands.size(); flat > 0) {
+        out.warnings.push_back(fmt::format(
+            "{}: {} strands without a length were left out", groom.name, flat));
+    }
+    out.seconds.load = watch.lap();
+
+    enter("fit");
+    fit_chosen(groom, loaded.strands, roots, out);
+    stand_on_scalp(out);
+    out.grown_roots = roots.positions;
+    out.grown_tangents = roots.tangents;
+    out.seconds.fit = watch.lap();
+    return out;
+}
+
+}  // namespace lancret

@@ -1,0 +1,40 @@
+#pragma once
+// From a groom's files to guides that stand on its scalp.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "guides/scalp.h"
+#include "procedural/groom.h"
+
+namespace lancret {
+
+/// Wall time of the stages, s.
+struct StageSeconds {
+    double load = 0, fit = 0, bind = 0;
+};
+
+/// Names a stage as it begins.
+using StageCallback = std::function<void(const char* stage)>;
+
+/// The guides of a groom, at rest, and what they grew out of.
+struct GroomGuides {
+    Guides guides;
+    std::vector<FitReport> fits;        ///< [guides]; empty where the file held guides
+    std::vector<Vec3f> normals;         ///< [guides], of the surface at their roots
+    std::optional<Scalp> scalp;         ///< nothing where the groom has no surface
+    std::vector<Vec3> grown_roots;      ///< of every strand of the groom, cm
+    std::vector<Vec3> grown_tangents;   ///< there
+    StageSeconds seconds;               ///< load and fit
+    std::size_t groom_strands = 0;      ///< in the groom's file
+    std::size_t snapped_roots = 0;      ///< guides whose root was off the scalp
+    double largest_snap = 0;            ///< cm
+    std::vector<std::string> warnings;  ///< a line each
+};
+
+/// Loads a groom, chooses its guides by farthest point and fits them. A guide cache (.h5)
+/// is taken as it is, at its first frame. Throws InputError.
+GroomGuides groom_guides(const Groom& groom, const StageCallback& stage = {});
+
+}  // namespace lancret

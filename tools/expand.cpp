@@ -1,0 +1,80 @@
+// lancret expand: a groom in, its children out as a file; or only the time that it takes.
+
+#include "procedural/expand.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "guides/errors.h"
+#include "guides/hair_file.h"
+#include "guides/mitsuba_file.h"
+#include "procedural/child_strands.h"
+#include "tools/command.h"
+#include "tools/stats.h"
+
+namespace lancret {
+
+namespace {
+
+struct ExpandOptions {
+    GroomOptions groom;
+    std::string output;
+};
+
+int expand_groom(const ExpandOptions& options) {
+    const std::filesystem::path output = options.output;
+    const std::string extension = output.extension().string();
+    if (!output.empty() && extension != ".hair" && extension != ".txt") {
+        throw InputError(fmt::format("{}: strands are written as .hair or .txt (Mitsuba)",
+                                     output.string()));
+    }
+    Job job = read_job(options.groom);
+    if (extension == ".txt") job.groom.expand.basis = CurveBasis::bspline;
+    const Generator generator = run_generator(job.groom);
+    Stopwatch watch;
+    const Curves curves = expand(generator.binding, generator.profiles, job.groom.expand);
+    const double seconds = watch.lap();
+
+    if (extension == ".hair") {
+        write_hair(output, child_strands(generator.binding, generator.profiles,
+                                         job.groom.expand));
+    } else if (extension == ".txt") {
+        write_mitsuba(output, curves.points.span(), curves.points_per_strand);
+    }
+    nlohmann::json stats = generator_stats(generator);
+    add_curve_stats(stats, curves, seconds);
+    write_stats(options.groom.stats, std::move(stats));
+    fmt::print(
+        "{} strands, {} points in {:.4f} s: {:.1f} million points a second, {:.0f} bytes "
+        "a "
+        "strand{}\n",
+        curves.strands, curves.points.size(), seconds,
+        double(curves.points.size()) / seconds / 1e6,
+        double(curves.bytes()) / curves.strands,
+        output.empty() ? "" : "; written to " + output.string());
+    return kFine;
+}
+
+}  // namespace
+
+void add_expand(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<ExpandOptions>();
+    CLI::App* command =
+        app.add_subcommand("expand", "Grow the children; write or time them");
+    add_groom_options(*command, options->groom);
+    command
+        ->add_option(
+            "-o,--output", options->output,
+            "points on the strands (.hair) or B-spline control points as Mitsuba text "
+            "(.txt); without it the strands are only grown")
+        ->type_name("FILE");
+    command->footer(
+        "Examples:\n"
+        "  lancret expand groom.hair --scalp head.obj --strands 1000000 --stats "
+        "time.json\n"
+        "  lancret expand groom.toml -o children.hair");
+    command->callback([options, &exit_code] { exit_code = expand_groom(*options); });
+}
+
+}  // namespace lancret

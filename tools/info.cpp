@@ -1,0 +1,139 @@
+// lancret info: what is in a file.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "guides/curve.h"
+#include "guides/errors.h"
+#include "guides/guide_cache.h"
+#include "guides/hair_file.h"
+#include "guides/obj_file.h"
+#include "guides/scalp.h"
+#include "tools/command.h"
+
+namespace lancret {
+
+namespace {
+
+void print_box(const std::vector<Vec3f>& points) {
+    Eigen::AlignedBox3f box;
+    for (const Vec3f& p : points) box.extend(p);
+    const Vec3f low = box.min(), high = box.max();
+    fmt::print("box: [{:.4g}, {:.4g}, {:.4g}] to [{:.4g}, {:.4g}, {:.4g}]\n", low.x(),
+               low.y(), low.z(), high.x(), high.y(), high.z());
+}
+
+/// Minimum, median and maximum, by a format for each number.
+void print_range(const char* title, std::vector<double> values, const char* unit) {
+    if (values.empty()) return;
+    std::ranges::sort(values);
+    fmt::print("{}: {:.4g} to {:.4g}, median {:.4g}{}\n", title, values.front(),
+               values.back(), values[values.size() / 2], unit);
+}
+
+void info_hair(const std::filesystem::path& file) {
+    HairReport report;
+    const Strands strands = read_hair(file, &report);
+    fmt::print("{} strands, {} points\n", strands.size(), strands.points.size());
+    if (!report.text.empty()) fmt::print("text: {}\n", report.text);
+    std::vector<double> points, lengths;
+    std::size_t without_length = 0;
+    for (std::size_t i = 0; i < strands.size(); ++i) {
+        points.push_back(double(strands.strand(i).size()));
+        if (const auto curve = strand_curve(strands, i)) {
+            lengths.push_back(curve->length());
+        } else {
+            ++without_length;
+        }
+    }
+    print_range("points a strand", points, "");
+    print_range("length", lengths, " cm");
+    if (without_length > 0) fmt::print("strands without a length: {}\n", without_length);
+    print_box(strands.points);
+    if (strands.thickness.empty()) {
+        fmt::print("thickness: {:.4g} for all\n", strands.default_thickness);
+    } else {
+        print_range("thickness", {strands.thickness.begin(), strands.thickness.end()},
+                    " cm");
+    }
+    fmt::print("per point: {}{}{}{}\n", strands.thickness.empty() ? "" : "thickness ",
+               strands.transparency.empty() ? "" : "transparency ",
+               strands.colours.empty() ? "" : "colour ",
+               strands.uvs.empty() ? "" : "uv ");
+    for (const std::string& warning : report.warnings)
+        fmt::print("warning: {}\n", warning);
+    if (report.dropped_strands > 0) {
+        fmt::print("warning: {} strands of one point, left out\n",
+                   report.dropped_strands);
+    }
+}
+
+void info_obj(const std::filesystem::path& file) {
+    const Scalp scalp = make_scalp(read_obj(file));
+    fmt::print("{} vertices, {} triangles, {} UVs\n", scalp.mesh.positions.size(),
+               scalp.mesh.triangles.size(), scalp.mesh.uvs.empty() ? "without" : "with");
+    fmt::print("area: {:.4g} cm^2\n", scalp.area);
+    print_box(scalp.mesh.positions);
+}
+
+void info_cache(const std::filesystem::path& file) {
+    const GuideCacheInfo info = guide_cache_info(file);
+    fmt::print("{} guides of {} segments, {} frames from {} at {} a second\n",
+               info.guides, info.segments, info.frames, info.first_frame,
+               info.frames_per_second);
+    if (!info.groom.empty()) fmt::print("groom: {}\n", info.groom);
+    const Guides guides = read_guide_cache(file, 0);
+    std::vector<double> lengths;
+    for (std::size_t g = 0; g < guides.size(); ++g)
+        lengths.push_back(guide_length(guides, g));
+    print_range("length", lengths, " cm");
+}
+
+void info_groom(const std::filesystem::path& file) {
+    GroomOptions options;
+    options.input = file;
+    const Job job = read_job(options);
+    const Groom& g = job.groom;
+    fmt::print("strands from {}; {} segments a guide\n",
+               g.strands_file.empty() ? "Lancret itself" : g.strands_file.string(),
+               g.fit.segments);
+    if (!g.scalp_file.empty()) fmt::print("scalp: {}\n", g.scalp_file.string());
+    fmt::print("{} children by blend {} between {} guides each\n", g.strands,
+               blend_name(g.expand.blend), g.bind.neighbours);
+}
+
+int info(const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    fmt::print("{}\n", file.string());
+    if (extension == ".hair") {
+        info_hair(file);
+    } else if (extension == ".obj") {
+        info_obj(file);
+    } else if (extension == ".h5") {
+        info_cache(file);
+    } else if (extension == ".toml") {
+        info_groom(file);
+    } else {
+        throw InputError(
+            fmt::format("{}: not a .hair, .obj, .h5 or .toml file", file.string()));
+    }
+    return kFine;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, int& exit_code) {
+    auto file = std::make_shared<std::filesystem::path>();
+    CLI::App* command = app.add_subcommand("info", "Say what is in a file");
+    command
+        ->add_option("file", *file,
+                     "strands (.hair), mesh (.obj), guides (.h5), groom (.toml)")
+        ->required()
+        ->type_name("FILE");
+    command->footer("Examples:\n  lancret info groom.hair\n  lancret info guides.h5");
+    command->callback([file, &exit_code] { exit_code = info(*file); });
+}
+
+}  // namespace lancret

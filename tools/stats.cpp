@@ -1,0 +1,76 @@
+#include "tools/stats.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "guides/atomic_file.h"
+
+namespace lancret {
+
+std::size_t peak_rss() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return std::size_t(usage.ru_maxrss) * 1024;
+}
+
+namespace {
+
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    const auto nth = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+    std::ranges::nth_element(values, nth);
+    return *nth;
+}
+
+}  // namespace
+
+nlohmann::json fit_stats(const GroomGuides& source) {
+    std::vector<double> rms;
+    for (const FitReport& fit : source.fits) rms.push_back(fit.rms / fit.length);
+    return {
+        {"groom_strands", source.groom_strands},
+        {"guides", source.guides.size()},
+        {"segments", source.guides.segments},
+        {"seconds", {{"load", source.seconds.load}, {"fit", source.seconds.fit}}},
+        {"fit",
+         {{"rms_over_length_median", quantile(rms, 0.5)},
+          {"rms_over_length_p95", quantile(rms, 0.95)},
+          {"rms_over_length_max", quantile(rms, 1)}}},
+        {"roots",
+         {{"snapped", source.snapped_roots}, {"largest_snap_cm", source.largest_snap}}},
+    };
+}
+
+nlohmann::json generator_stats(const Generator& g) {
+    nlohmann::json stats = fit_stats(g.source);
+    stats["strands"] = g.binding.size();
+    stats["intervals"] = g.profiles.count;
+    stats["blend"] = blend_name(g.groom.expand.blend);
+    stats["seconds"]["bind"] = g.seconds.bind;
+    stats["bytes"]["binding"] = g.binding.bytes();
+    stats["bytes"]["binding_per_strand"] =
+        double(g.binding.bytes()) / double(std::max<std::size_t>(1, g.binding.size()));
+    stats["roots"]["nearest_guide_fallback"] = g.binding.report.nearest_guide;
+    return stats;
+}
+
+void add_curve_stats(nlohmann::json& stats, const Curves& curves, double expand_seconds) {
+    stats["points"] = curves.points.size();
+    stats["seconds"]["expand"] = expand_seconds;
+    stats["bytes"]["curves"] = curves.bytes();
+    stats["bytes"]["curves_per_strand"] =
+        double(curves.bytes()) / double(std::max(1u, curves.strands));
+}
+
+void write_json(const std::filesystem::path& path, const nlohmann::json& json) {
+    write_beside_and_rename(path, json.dump(2) + "\n");
+}
+
+void write_stats(const std::filesystem::path& path, nlohmann::json stats) {
+    if (path.empty()) return;
+    stats["peak_rss"] = peak_rss();
+    write_json(path, stats);
+}
+
+}  // namespace lancret

@@ -1,0 +1,31 @@
+#pragma once
+// What a command did and what it cost.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "procedural/generator.h"
+#include "procedural/stopwatch.h"
+
+namespace lancret {
+
+/// The largest resident size of the process so far, bytes.
+std::size_t peak_rss();
+
+/// {groom_strands, guides, segments, seconds.{load, fit}, fit.{...}, roots.{...}}.
+nlohmann::json fit_stats(const GroomGuides& source);
+
+/// fit_stats and {strands, intervals, blend, seconds.bind, bytes.{binding,
+/// binding_per_strand}, roots.nearest_guide_fallback}. Commands add their own seconds and
+/// bytes.
+nlohmann::json generator_stats(const Generator& generator);
+
+/// The same with points, seconds.expand, bytes.curves and bytes.curves_per_strand.
+void add_curve_stats(nlohmann::json& stats, const Curves& curves, double expand_seconds);
+
+/// Writes `json` beside and then renamed, after adding peak_rss; does nothing for an
+/// empty path. Throws InputError.
+void write_stats(const std::filesystem::path& path, nlohmann::json stats);
+void write_json(const std::filesystem::path& path, const nlohmann::json& json);
+
+}  // namespace lancret
