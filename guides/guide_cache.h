@@ -1,0 +1,52 @@
+#pragma once
+// The guide cache: guides for a run of frames in an HDF5 file, for h5py and h5dump as
+// well as for Lancret. docs/formats.md tells how to read one in Python.
+//
+//   /root_positions   [frames, guides, 3]            cm
+//   /root_frames      [frames, guides, 3, 3]         row r, column c, as the matrix is
+//                                                    written: the columns are n0, n1, n2
+//   /segment_lengths  [guides, segments]             cm, the same in every frame
+//   /curvatures       [frames, guides, segments, 3]  (k0, k1, k2), 1/cm
+// All are 64-bit floats, in chunks of one frame. Attributes of the root group: `format`
+// ("lancret guide cache"), `version` (1), `units` ("cm g s rad"), `frames_per_second`,
+// `first_frame` and `groom`.
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "guides/guides.h"
+
+namespace lancret {
+
+/// What a cache says of itself beside the guides.
+struct GuideCacheHeader {
+    double frames_per_second = 24;
+    int first_frame = 1;  ///< the number of frame 0 of the file, as an artist counts
+    std::string groom;    ///< the path of the groom that these guides belong to, or empty
+};
+
+/// What is in a cache.
+struct GuideCacheInfo : GuideCacheHeader {
+    int frames = 0;
+    std::size_t guides = 0;
+    int segments = 0;  ///< of each guide
+};
+
+/// Writes a cache of these frames. Throws InputError where the file cannot be written,
+/// and std::invalid_argument where there is no frame or no guide, or where the frames
+/// differ in the number of guides or segments or in segment lengths.
+void write_guide_cache(const std::filesystem::path& path, const GuideCacheHeader& header,
+                       std::span<const Guides> frames);
+
+/// What a cache holds, by its attributes and shapes. Throws InputError, which names the
+/// file and the dataset or attribute, where it is not a cache of this version.
+GuideCacheInfo guide_cache_info(const std::filesystem::path& path);
+
+/// The guides of a frame, 0 <= frame < frames; nothing else of the file is read. The same
+/// bits as were written. Throws InputError as guide_cache_info does and where a number is
+/// not finite, a root frame is not a rotation to 1e-6, or a segment's length is not above
+/// 0; std::invalid_argument where there is no such frame.
+Guides read_guide_cache(const std::filesystem::path& path, int frame);
+
+}  // namespace lancret
