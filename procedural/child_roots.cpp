@@ -19,6 +19,8 @@ namespace {
 constexpr std::uint64_t kOwnRootSalt = 0x726f6f74;  // "root"
 constexpr std::size_t kNormalNeighbours = 8;
 
+}  // namespace
+
 double growth_of_spacing(std::span<const Vec3> grown) {
     std::vector<double> spacing = neighbour_distances(grown);
     const std::size_t nth = spacing.size() * 9 / 10;
@@ -26,15 +28,15 @@ double growth_of_spacing(std::span<const Vec3> grown) {
     return 1.5 * spacing[nth];
 }
 
-}  // namespace
-
 Roots roots_on_scalp(const Scalp& scalp, std::span<const Vec3> grown, std::uint32_t count,
-                     std::uint64_t seed, std::optional<double> growth) {
-    const double reach = growth ? *growth : growth_of_spacing(grown);
+                     std::uint64_t seed, double growth) {
     const PointTree tree(grown);
-    const RootFilter near = [&](const MeshPoint&, const Vec3& position) {
-        return tree.nearest_squared(position) <= reach * reach;
-    };
+    RootFilter near;
+    if (std::isfinite(growth)) {
+        near = [&](const MeshPoint&, const Vec3& position) {
+            return tree.nearest_squared(position) <= growth * growth;
+        };
+    }
     Roots out;
     out.places = scalp_roots(scalp, count, seed, near);
     out.positions.resize(count);

@@ -2,8 +2,8 @@
 // Where the children of a groom stand: spread over its scalp, or on the strands' own
 // roots.
 
-#include <optional>
 #include <span>
+#include <string>
 
 #include "guides/scalp.h"
 #include "procedural/roots.h"
@@ -15,7 +15,11 @@ namespace lancret {
 /// Without a growth distance, one and a half times the spacing that nine in ten strands
 /// keep. Throws InputError where next to nothing of the scalp is that near.
 Roots roots_on_scalp(const Scalp& scalp, std::span<const Vec3> grown, std::uint32_t count,
-                     std::uint64_t seed, std::optional<double> growth);
+                     std::uint64_t seed, double growth);
+
+/// How far from its strands a groom may be taken to grow: one and a half times the
+/// spacing that nine in ten of them keep, cm.
+double growth_of_spacing(std::span<const Vec3> grown);
 
 /// A groom without a scalp: children stand on the roots of its own strands, `count` of
 /// them drawn by hash of `seed`. Their normals are the mean root tangents of the eight

@@ -14,11 +14,19 @@ Generator make_generator(const Groom& groom, const StageCallback& stage) {
     if (stage) stage("bind");
     Stopwatch watch;
     const GroomGuides& source = out.source;
-    Roots roots = source.scalp
-                      ? roots_on_scalp(*source.scalp, source.grown_roots, groom.strands,
-                                       groom.seed, groom.growth_distance)
-                      : own_roots(source.grown_roots, source.grown_tangents,
-                                  groom.strands, groom.seed, groom.name);
+    Roots roots;
+    if (source.scalp) {
+        const double everywhere = std::numeric_limits<double>::infinity();
+        const double growth = groom.growth_distance ? *groom.growth_distance
+                              : source.whole_scalp
+                                  ? everywhere
+                                  : growth_of_spacing(source.grown_roots);
+        roots = roots_on_scalp(*source.scalp, source.grown_roots, groom.strands,
+                               groom.seed, growth);
+    } else {
+        roots = own_roots(source.grown_roots, source.grown_tangents, groom.strands,
+                          groom.seed, groom.name);
+    }
     const int intervals =
         groom.intervals
             ? *groom.intervals

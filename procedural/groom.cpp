@@ -34,9 +34,10 @@ void read_scene(const TomlTable& scene, SceneUnits& out) {
 void read_made(const TomlTable& made, MadeGroomSettings& out) {
     set(out.strands, made.integer("strands", 1, 1'000'000));
     set(out.seed, made.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
-    set(out.length, made.number("length", 0.1, 200));
-    set(out.wave_radius, made.number("curl_radius", 0, 10));
-    set(out.wavelength, made.number("curl_wavelength", 0.1, 100));
+    set(out.shortest, made.number("shortest", 0.1, 200));
+    set(out.longest, made.number("longest", 0.1, 200));
+    set(out.curl_radius, made.number("curl_radius", 0, 10));
+    set(out.curl_wavelength, made.number("curl_wavelength", 0.1, 100));
     set(out.frizz, made.number("frizz", 0, 10));
 }
 

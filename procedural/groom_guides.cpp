@@ -48,10 +48,10 @@ std::vector<T> picked(const std::vector<T>& from, std::span<const std::uint32_t>
     return out;
 }
 
-/// The strands that a groom starts from, in cm, and its scalp, where it has one.
+/// The strands that a groom starts from, cm.
 struct LoadedGroom {
     Strands strands;
-    std::optional<TriangleMesh> scalp;
+    std::optional<TriangleMesh> scalp, body;  ///< of a groom that Lancret makes
 };
 
 LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
@@ -60,6 +60,7 @@ LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
         MadeGroom made = make_groom(groom.made);
         out.strands = std::move(made.strands);
         out.scalp = std::move(made.scalp);
+        out.body = std::move(made.head);
     } else {
         HairReport report;
         out.strands = read_hair(groom.strands_file, &report);
@@ -156,7 +157,11 @@ GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
     }
     LoadedGroom loaded = load_groom(groom, out.warnings);
     out.groom_strands = loaded.strands.size();
-    if (!out.scalp && loaded.scalp) out.scalp = make_scalp(std::move(*loaded.scalp));
+    if (!out.scalp && loaded.scalp) {
+        out.scalp = make_scalp(std::move(*loaded.scalp));
+        out.body = std::move(loaded.body);
+        out.whole_scalp = true;
+    }
     const StrandRoots roots = strand_roots(loaded.strands);
     if (roots.strands.empty()) {
         throw InputError(fmt::format("{}: no strand has a length", groom.name));

@@ -23,7 +23,9 @@ struct GroomGuides {
     Guides guides;
     std::vector<FitReport> fits;        ///< [guides]; empty where the file held guides
     std::vector<Vec3f> normals;         ///< [guides], of the surface at their roots
-    std::optional<Scalp> scalp;         ///< nothing where the groom has no surface
+    std::optional<Scalp> scalp;         ///< what hair grows on; nothing without a surface
+    std::optional<TriangleMesh> body;   ///< what is seen of it, where that is more
+    bool whole_scalp = false;           ///< hair grows everywhere on the scalp
     std::vector<Vec3> grown_roots;      ///< of every strand of the groom, cm
     std::vector<Vec3> grown_tangents;   ///< there
     StageSeconds seconds;               ///< load and fit

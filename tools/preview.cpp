@@ -30,6 +30,11 @@ void check_output(const std::filesystem::path& output) {
     PendingFile can_be_written(output);
 }
 
+const TriangleMesh* body_of(const GroomGuides& source) {
+    if (source.body) return &*source.body;
+    return source.scalp ? &source.scalp->mesh : nullptr;
+}
+
 int preview(const PreviewOptions& options) {
     // What cannot be written is found out before the work, not after it.
     check_output(options.output);
@@ -45,8 +50,7 @@ int preview(const PreviewOptions& options) {
     const Curves curves = expand(generator.binding, generator.profiles, job.groom.expand);
     const double expand_seconds = expand_watch.lap();
 
-    const HairScene geometry(
-        curves, generator.source.scalp ? &generator.source.scalp->mesh : nullptr);
+    const HairScene geometry(curves, body_of(generator.source));
     const Vec3f up = job.groom.scene.up.cast<float>();
     const Camera camera = preview_camera(job.preview, bounds(curves), up);
     RenderScene scene;
