@@ -199,6 +199,28 @@ TEST(FrenetAnalysis, StraightStrandTakesTheHint) {
     EXPECT_LT((synthesize(profile).back().position - ends[1]).norm(), 1e-14);
 }
 
+TEST(FrenetAnalysis, RoundOffOfFloatsIsNoBend) {
+    // A line 100 cm from the origin in floats: half an ulp is 2^-18 = 3.8e-6 cm an axis.
+    std::vector<Vec3f> points;
+    for (int i = 0; i <= 30; ++i)
+        points.push_back(
+            (Vec3(100, 90, -80) + 0.3 * i * Vec3(0.71, -0.33, 0.62)).cast<float>());
+    const Curve curve = *curve_through(points);
+    const double error = 3.8e-6 * std::sqrt(3.0), turn = noise_turn(curve, error);
+    double noise = 0;
+    for (const FrenetRates& r : analyze(curve, 60, Vec3::UnitY()).rates)
+        noise = std::max(noise, std::abs(r.torsion));
+    EXPECT_GT(noise, 1);
+    const FrenetProfile profile =
+        analyze(curve, 60, Vec3::UnitY(), FrenetMethod::frames, turn);
+    // What is left is the turn of the tangents, below the noise, and no twist but its
+    // square.
+    for (const FrenetRates& r : profile.rates) {
+        EXPECT_LT(std::abs(r.curvature), turn / curve.length());
+        EXPECT_LT(std::abs(r.torsion), turn * turn / curve.length());
+    }
+}
+
 /// An arc about z, a straight stretch along y, then an arc in a plane turned by 1 radian.
 std::vector<CurvePoint> arcs_with_a_stretch(int n) {
     std::vector<CurvePoint> out;
@@ -294,7 +316,7 @@ TEST(FrenetAnalysis, JaggedStrandsComeBackNearer) {
     // 16th).
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
-    for (int trial = 0; trial < 8; ++trial) {
+    for (int trial = 0; trial < 3; ++trial) {
         std::vector<Vec3> points{Vec3::Zero()};
         for (int i = 0; i < 30; ++i)
             points.push_back(points.back() +
@@ -304,7 +326,7 @@ TEST(FrenetAnalysis, JaggedStrandsComeBackNearer) {
             const auto strand = synthesize(analyze(curve, n, Vec3::UnitZ()));
             return (strand.back().position - points.back()).norm();
         };
-        EXPECT_LT(tip_error(16000), 0.1 * tip_error(1000)) << trial;
+        EXPECT_LT(tip_error(6400), 0.1 * tip_error(400)) << trial;
     }
 }
 
