@@ -32,7 +32,9 @@ double halved_length(const std::array<Vec3, 4>& c, double a, double b, double wh
                      double tolerance, int depth) {
     const double middle = (a + b) / 2;
     const double left = gauss_length(c, a, middle), right = gauss_length(c, middle, b);
-    if (depth == 0 || std::abs(left + right - whole) <= tolerance) return left + right;
+    // Asked the other way round, so that a length that is no number ends it too.
+    const bool halve = depth > 0 && std::abs(left + right - whole) > tolerance;
+    if (!halve) return left + right;
     return halved_length(c, a, middle, left, tolerance / 2, depth - 1) +
            halved_length(c, middle, b, right, tolerance / 2, depth - 1);
 }

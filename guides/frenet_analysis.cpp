@@ -1,5 +1,6 @@
 #include "guides/frenet_analysis.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -12,13 +13,17 @@ namespace lancret {
 namespace {
 
 std::vector<Vec3> tangents_of(std::span<const CurvePoint> samples) {
+    // Before the first place with a speed, its tangent; after it, that of the place
+    // before.
+    const auto moving = std::find_if(samples.begin(), samples.end(), [](const auto& x) {
+        return x.d1.squaredNorm() > 0;
+    });
+    Vec3 tangent =
+        moving == samples.end() ? Vec3(Vec3::UnitX()) : Vec3(moving->d1.normalized());
     std::vector<Vec3> tangents;
     for (const CurvePoint& x : samples) {
-        const double speed = x.d1.norm();
-        if (speed > 0)
-            tangents.push_back(x.d1 / speed);  // [TW99, Eq. 39]
-        else
-            tangents.push_back(tangents.empty() ? Vec3(Vec3::UnitX()) : tangents.back());
+        if (x.d1.squaredNorm() > 0) tangent = x.d1.normalized();  // [TW99, Eq. 39]
+        tangents.push_back(tangent);
     }
     return tangents;
 }

@@ -36,7 +36,7 @@ struct FrenetPoint {
 /// tangent since the sample before (the paper's rule B(s+ds) . B(s) < 0), so samples must
 /// be near enough that it turns less by itself. kappa is positive where the strand first
 /// bends. A strand straight all along has N = across_tangent(hint, T), carried on. Where
-/// the speed vanishes the tangent is that of the sample before.
+/// the speed vanishes the tangent is that of the sample before, or of the first with one.
 std::vector<FrenetPoint> frenet_points(std::span<const CurvePoint> samples,
                                        const Vec3& hint,
                                        double straight_turn = kStraightTurn);

@@ -199,6 +199,20 @@ TEST(FrenetAnalysis, StraightStrandTakesTheHint) {
     EXPECT_LT((synthesize(profile).back().position - ends[1]).norm(), 1e-14);
 }
 
+TEST(FrenetAnalysis, RootWithoutSpeedTakesTheTangentAfterIt) {
+    // A B-spline whose outer control points stand three times starts and stops at rest.
+    std::vector<Vec3> control(3, Vec3(0, 0, 0));
+    control.insert(control.end(),
+                   {{0, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 2, 0}, {2, 2, 0}});
+    const Curve curve = *bspline_curve(control);
+    ASSERT_EQ(evaluate(curve, 0).d1.norm(), 0);
+    const FrenetProfile profile = analyze(curve, 400, Vec3::UnitX());
+    // x(t) = t^3 / 6 (0, 1, 0) to begin with: straight for the first piece.
+    EXPECT_LT((profile.root.frame.col(0) - Vec3::UnitY()).norm(), 1e-2);
+    EXPECT_NEAR(std::abs(profile.root.frame(2, 2)), 1, 1e-12);
+    EXPECT_LT((synthesize(profile).back().position - Vec3(2, 2, 0)).norm(), 1e-4);
+}
+
 TEST(FrenetAnalysis, RoundOffOfFloatsIsNoBend) {
     // A line 100 cm from the origin in floats: half an ulp is 2^-18 = 3.8e-6 cm an axis.
     std::vector<Vec3f> points;
