@@ -87,10 +87,9 @@ struct Row {
     Vec3 right;
 };
 
-/// The row of the first slope, from the first chord h0 and the next, h1, with the mean
-/// slopes m0 and m1 over them. The last one is the same, seen from the tip.
+/// The row of the first slope (not-a-knot), from the first chord h0 and the next, h1,
+/// with the mean slopes m0 and m1 over them. The last one is the same, seen from the tip.
 Row end_row(double h0, double h1, const Vec3& m0, const Vec3& m1) {
-    if (std::max(h0, h1) > 20 * std::min(h0, h1)) return {0, 2, 1, 3 * m0};
     const double both = h0 + h1;
     return {0, h1, both, ((h0 + 2 * both) * h1 * m0 + h0 * h0 * m1) / both};
 }
