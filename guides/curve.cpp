@@ -95,7 +95,8 @@ Row end_row(double h0, double h1, const Vec3& m0, const Vec3& m1) {
 }
 
 /// The slopes at the points of a cubic spline, three points or more, by elimination. No
-/// pivoting is needed: after the first row each diagonal exceeds what stands beside it.
+/// pivoting is needed: below the first row each diagonal stays above its neighbour to the
+/// right, and the last one positive.
 std::vector<Vec3> spline_slopes(const std::vector<double>& h,
                                 const std::vector<Vec3>& m) {
     const std::size_t n = h.size();
