@@ -3,93 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
-#include <numbers>
-#include <random>
 
 #include "guides/rotation_minimizing.h"
+#include "tests/guides/frenet_paths.h"
 
 namespace lancret {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-using Path = std::function<CurvePoint(double)>;
-
-/// A helix of radius a and pitch 2 pi b; left-handed where b < 0. kappa = a / (a^2 +
-/// b^2), tau = b / (a^2 + b^2).
-CurvePoint helix(double v, double a, double b) {
-    const double c = a * std::cos(v), s = a * std::sin(v);
-    return {{c, s, b * v}, {-s, c, b}, {-c, -s, 0}, {s, -c, 0}};
-}
-
-/// kappa and tau both vary: kappa = 2 sqrt(9 v^4 + 9 v^2 + 1) / (9 v^4 + 4 v^2 + 1)^1.5.
-CurvePoint twisted_cubic(double v) {
-    return {{v, v * v, v * v * v}, {1, 2 * v, 3 * v * v}, {0, 2, 6 * v}, {0, 0, 6}};
-}
-
-/// y = x^3: kappa = 6 x / (1 + 9 x^4)^1.5 changes sign at 0.
-CurvePoint cubic_inflection(double x) {
-    return {{x, x * x * x, 0}, {1, 3 * x * x, 0}, {0, 6 * x, 0}, {0, 6, 0}};
-}
-
-/// Samples at equal steps of the parameter, and the arc lengths between them by Gauss
-/// quadrature on 40 parts a step (error far below 1e-12).
-struct Sampled {
-    std::vector<CurvePoint> points;
-    std::vector<double> steps;
-};
-
-Sampled sampled(const Path& path, double from, double to, int n) {
-    Sampled out;
-    const double dv = (to - from) / n;
-    for (int i = 0; i <= n; ++i) {
-        out.points.push_back(path(from + dv * i));
-        if (i == n) break;
-        double length = 0;
-        const double part = dv / 40, x = std::sqrt(0.6) / 2;
-        for (int j = 0; j < 40; ++j) {
-            const double middle = from + dv * i + part * (j + 0.5);
-            length +=
-                part / 18 *
-                (5 * path(middle - x * part).d1.norm() + 8 * path(middle).d1.norm() +
-                 5 * path(middle + x * part).d1.norm());
-        }
-        out.steps.push_back(length);
-    }
-    return out;
-}
-
-std::vector<HelixState<double>> states_of(std::span<const FrenetPoint> points) {
-    std::vector<HelixState<double>> states;
-    for (const FrenetPoint& p : points) states.push_back(p.state);
-    return states;
-}
-
-FrenetProfile profile_of(const Sampled& x, FrenetMethod method) {
-    const auto points = frenet_points(x.points, Vec3::UnitZ());
-    return method == FrenetMethod::frames ? profile_of_frames(states_of(points), x.steps)
-                                          : profile_of_points(points, x.steps);
-}
-
-/// The largest distance of the synthesized strand from the samples it came from.
-double round_trip_error(const Sampled& x, FrenetMethod method) {
-    const auto strand = synthesize(profile_of(x, method));
-    double worst = 0;
-    for (std::size_t i = 0; i < strand.size(); ++i)
-        worst = std::max(worst, (strand[i].position - x.points[i].position).norm());
-    return worst;
-}
-
-/// Order 2: halving the step leaves a quarter of the error. The order is asserted within
-/// `band`, for the terms of the next order.
-void expect_order_two(const std::function<double(int)>& error, const char* name,
-                      double band = 0.05) {
-    for (int n : {80, 160, 320}) {
-        const double order = std::log2(error(n) / error(2 * n));
-        std::printf("%s, n = %d: error %.3g, order %.2f\n", name, n, error(n), order);
-        EXPECT_NEAR(order, 2.0, band) << name << " " << n;
-    }
-}
 
 TEST(FrenetAnalysis, PointValuesOfAHelixAreItsClosedForm) {
     for (double b : {0.6, -0.6}) {
@@ -124,32 +43,6 @@ TEST(FrenetAnalysis, CircleHasNoTorsion) {
             EXPECT_NEAR(r.curvature, 0.5, 1e-14);
             EXPECT_NEAR(r.torsion, 0, 1e-14);
         }
-}
-
-TEST(FrenetAnalysis, TwistedCubicComesBackAtOrderTwo) {
-    for (const auto& [method, name] : {std::pair(FrenetMethod::frames, "frames"),
-                                       std::pair(FrenetMethod::point_values, "points")})
-        expect_order_two(
-            [&](int n) {
-                return round_trip_error(sampled(twisted_cubic, -1, 1.2, n), method);
-            },
-            name);
-}
-
-TEST(FrenetAnalysis, InflectionOfACubicComesBackAtOrderTwo) {
-    // On -1 .. 1 a sample falls on the inflection; on -1 .. 1.1 none does.
-    expect_order_two(
-        [](int n) {
-            return round_trip_error(sampled(cubic_inflection, -1, 1, n),
-                                    FrenetMethod::frames);
-        },
-        "x^3");
-    expect_order_two(
-        [](int n) {
-            return round_trip_error(sampled(cubic_inflection, -1, 1.1, n),
-                                    FrenetMethod::frames);
-        },
-        "x^3 off the samples");
 }
 
 TEST(FrenetAnalysis, InflectionKeepsTheBinormalAndChangesTheSign) {
@@ -295,78 +188,6 @@ TEST(FrenetAnalysis, TorsionKeepsTheFrameRightHanded) {
         EXPECT_GT(f.determinant(), 0);
         EXPECT_GT(p.rates.torsion, 0);  // (x' x x'') . x''' = 12 > 0
     }
-}
-
-/// A path whose curvature and torsion vary.
-Vec3 wave(double v) { return helix(v, 1 + 0.2 * std::sin(v), 0.4).position; }
-
-Curve wave_spline(int n) {
-    std::vector<Vec3> points;
-    for (int i = 0; i <= n; ++i) points.push_back(wave(6.0 * i / n));
-    return *curve_through(points);
-}
-
-TEST(FrenetAnalysis, SplineThroughPointsComesBackAtOrderTwo) {
-    // Points and intervals are refined together, as when a strand is cut finer. (On one
-    // spline the order wanders, 1.6 to 2.2, since its curvature has a kink at each knot;
-    // where the kinks fall in the intervals leaves the band of 0.2 here.)
-    expect_order_two(
-        [&](int n) {
-            const Curve curve = wave_spline(n);
-            const auto strand = synthesize(analyze(curve, n, Vec3::UnitZ()));
-            const SampledCurve exact = resample(curve, n);
-            double worst = 0;
-            for (int i = 0; i <= n; ++i)
-                worst = std::max(worst, (strand[i].position - exact.positions[i]).norm());
-            return worst;
-        },
-        "spline", 0.2);
-}
-
-TEST(FrenetAnalysis, JaggedStrandsComeBackNearer) {
-    // Points of a random walk: the spline's curvature passes near zero all the time, and
-    // N swings about there. Nothing is smooth, so no order is asserted, only that 16
-    // times the intervals leave less than a tenth of the error (order 1 would leave a
-    // 16th).
-    std::mt19937 random(3);
-    std::normal_distribution<double> normal;
-    for (int trial = 0; trial < 3; ++trial) {
-        std::vector<Vec3> points{Vec3::Zero()};
-        for (int i = 0; i < 30; ++i)
-            points.push_back(points.back() +
-                             Vec3(1 + normal(random), normal(random), normal(random)));
-        const Curve curve = *curve_through(points);
-        const auto tip_error = [&](int n) {
-            const auto strand = synthesize(analyze(curve, n, Vec3::UnitZ()));
-            return (strand.back().position - points.back()).norm();
-        };
-        EXPECT_LT(tip_error(6400), 0.1 * tip_error(400)) << trial;
-    }
-}
-
-TEST(FrenetAnalysis, CoarseProfileOfAHelixLosesNoTurn) {
-    // Six turns of a helix in 9 intervals: Omega ds = 2 pi 6 / 9 = 4.19 > pi.
-    std::vector<Vec3> points;
-    for (int i = 0; i <= 400; ++i)
-        points.push_back(helix(12 * kPi * i / 400, 1, -0.5).position);
-    const FrenetProfile profile = analyze(*curve_through(points), 9, Vec3::UnitZ());
-    // The spline is within h^2 = 0.01 of the curvature at its ends and far less inside.
-    for (const FrenetRates& r : profile.rates) {
-        EXPECT_NEAR(r.curvature, 1 / 1.25, 1e-2);
-        EXPECT_NEAR(r.torsion, -0.5 / 1.25, 1e-2);
-    }
-    EXPECT_GT(largest_turn(profile), kPi);
-}
-
-TEST(FrenetAnalysis, SynthesizedLengthIsTheCurves) {
-    const Curve curve = wave_spline(20);
-    for (int n : {1, 7, 100}) {
-        const FrenetProfile profile = analyze(curve, n, Vec3::UnitZ());
-        double length = 0;
-        for (double ds : profile.steps) length += ds;
-        EXPECT_NEAR(length, curve.length(), 1e-13);
-    }
-    EXPECT_THROW(analyze(curve, 0, Vec3::UnitZ()), std::invalid_argument);
 }
 
 }  // namespace
