@@ -32,7 +32,9 @@ double halved_length(const std::array<Vec3, 4>& c, double a, double b, double wh
                      double tolerance, int depth) {
     const double middle = (a + b) / 2;
     const double left = gauss_length(c, a, middle), right = gauss_length(c, middle, b);
-    if (depth == 0 || std::abs(left + right - whole) <= tolerance) return left + right;
+    // Asked the other way round, so that a length that is no number ends it too.
+    const bool halve = depth > 0 && std::abs(left + right - whole) > tolerance;
+    if (!halve) return left + right;
     return halved_length(c, a, middle, left, tolerance / 2, depth - 1) +
            halved_length(c, middle, b, right, tolerance / 2, depth - 1);
 }
@@ -85,16 +87,16 @@ struct Row {
     Vec3 right;
 };
 
-/// The row of the first slope, from the first chord h0 and the next, h1, with the mean
-/// slopes m0 and m1 over them. The last one is the same, seen from the tip.
+/// The row of the first slope (not-a-knot), from the first chord h0 and the next, h1,
+/// with the mean slopes m0 and m1 over them. The last one is the same, seen from the tip.
 Row end_row(double h0, double h1, const Vec3& m0, const Vec3& m1) {
-    if (std::max(h0, h1) > 20 * std::min(h0, h1)) return {0, 2, 1, 3 * m0};
     const double both = h0 + h1;
     return {0, h1, both, ((h0 + 2 * both) * h1 * m0 + h0 * h0 * m1) / both};
 }
 
 /// The slopes at the points of a cubic spline, three points or more, by elimination. No
-/// pivoting is needed: after the first row each diagonal exceeds what stands beside it.
+/// pivoting is needed: below the first row each diagonal stays above its neighbour to the
+/// right, and the last one positive.
 std::vector<Vec3> spline_slopes(const std::vector<double>& h,
                                 const std::vector<Vec3>& m) {
     const std::size_t n = h.size();

@@ -30,12 +30,12 @@ struct CurvePoint {
 };
 
 /// The cubic spline through `points` (cm), parametrised by chord length. Ends are
-/// not-a-knot (error of order 4 up to the ends, where natural ends have order 2), but
-/// natural where one of the two chords at an end is over 20 times the other, since
-/// not-a-knot would extrapolate there. Points nearer to the one before than 1e-7 of the
-/// strand's chord length (round-off of float) are left out, the last one never. Two
-/// points give a straight line, three a parabola. Nothing where all points coincide,
-/// there are fewer than two, or one is not finite. Linear in time.
+/// not-a-knot: the error is of order 4 up to the ends, where natural ends have order 2
+/// (on jagged points they overshoot about twice as far). Points nearer to the one before
+/// than 1e-7 of the strand's chord length (round-off of float) are left out, the last one
+/// never. Two points give a straight line, three a parabola. Nothing where all points
+/// coincide, there are fewer than two, one is not finite, or the length overflows. Linear
+/// in time.
 std::optional<Curve> curve_through(std::span<const Vec3> points);
 std::optional<Curve> curve_through(std::span<const Vec3f> points);
 

@@ -125,6 +125,15 @@ TEST(Curve, EndsOnTheLastPointEvenWhereItNearlyRepeats) {
               1e-15);
 }
 
+TEST(Curve, LengthsThatOverflowGiveNoCurve) {
+    EXPECT_FALSE(
+        curve_through(std::vector<Vec3>{{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}}));
+    EXPECT_FALSE(bspline_curve(
+        std::vector<Vec3>{{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}, {0, 1e200, 1}}));
+    EXPECT_TRUE(
+        curve_through(std::vector<Vec3f>{{0, 0, 0}, {1e38f, 0, 0}, {0, 3e38f, 0}}));
+}
+
 TEST(Curve, PointsThatMakeNoCurveGiveNone) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(curve_through(std::vector<Vec3>{}));
