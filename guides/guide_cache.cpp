@@ -71,8 +71,9 @@ struct Reader {
         if (!data.good()) fail(path, fmt::format("no dataset '{}'", name));
         const Handle type(H5Dget_type(data), H5Tclose),
             space(H5Dget_space(data), H5Sclose);
-        if (H5Tget_class(type) != H5T_FLOAT) {
-            fail(path, fmt::format("dataset '{}' does not hold floats", name));
+        if (H5Tequal(type, H5T_IEEE_F64LE) <= 0 && H5Tequal(type, H5T_IEEE_F32LE) <= 0) {
+            fail(path,
+                 fmt::format("dataset '{}' does not hold 32- or 64-bit floats", name));
         }
         const int rank = H5Sget_simple_extent_ndims(space);
         if (rank != int(shape.size())) {

@@ -7,7 +7,9 @@
 //                                                    written: the columns are n0, n1, n2
 //   /segment_lengths  [guides, segments]             cm, the same in every frame
 //   /curvatures       [frames, guides, segments, 3]  (k0, k1, k2), 1/cm
-// All are 64-bit floats, in chunks of one frame. Attributes of the root group: `format`
+// All are 64-bit floats (32-bit ones are read too), in chunks of one frame, with
+// checksums throughout (HDF5 1.10 and later), so that damage is found. Attributes of the
+// root group: `format`
 // ("lancret guide cache"), `version` (1), `units` ("cm g s rad"), `frames_per_second`,
 // `first_frame` and `groom`.
 

@@ -44,7 +44,10 @@ struct Writer {
         // HDF5 takes chunks below 4 GB alone; contiguous storage has no such end.
         double bytes = sizeof(double);
         for (const hsize_t n : chunk) bytes *= double(n);
-        if (bytes < 4e9) H5Pset_chunk(layout, int(chunk.size()), chunk.data());
+        if (bytes < 4e9) {
+            H5Pset_chunk(layout, int(chunk.size()), chunk.data());
+            H5Pset_fletcher32(layout);
+        }
         return {H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, layout,
                            H5P_DEFAULT),
                 H5Dclose};
@@ -102,8 +105,12 @@ void write_guide_cache(const std::filesystem::path& path, const GuideCacheHeader
 
     const Session session;
     PendingFile pending(path);
+    // The format of HDF5 1.10 has checksums in all of its structures, and so do chunks
+    // (see dataset): damage is found before it is believed.
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_LATEST);
     Handle file(
-        H5Fcreate(pending.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+        H5Fcreate(pending.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
         H5Fclose);
     const Writer writer{path, file};
     writer.check(file.good());

@@ -10,7 +10,9 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "guides/atomic_file.h"
 #include "guides/coordinates.h"
@@ -229,6 +231,9 @@ TriangleMesh read_obj(const std::filesystem::path& path) {
 }
 
 void write_obj(const std::filesystem::path& path, const TriangleMesh& mesh) {
+    if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.triangles.size()) {
+        throw std::invalid_argument("write_obj: expected UVs for each triangle or none");
+    }
     fmt::memory_buffer out;
     auto to = std::back_inserter(out);
     for (const Vec3f& p : mesh.positions) {

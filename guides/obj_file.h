@@ -20,7 +20,7 @@ TriangleMesh read_obj(const std::filesystem::path& path);
 
 /// Writes the mesh so that read_obj gives it back: indices and order the same, numbers in
 /// the shortest form that is still exact. Throws InputError where the file cannot be
-/// written.
+/// written, and std::invalid_argument where `uvs` is neither empty nor one a triangle.
 void write_obj(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 }  // namespace lancret

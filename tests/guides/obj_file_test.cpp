@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <random>
+#include <stdexcept>
 
 #include "temporary_folder.h"
 
@@ -123,6 +124,8 @@ TEST_F(ObjFile, RoundTripIsExact) {
         EXPECT_EQ(back.triangles, mesh.triangles);
         EXPECT_EQ(back.uvs, mesh.uvs);
     }
+    mesh.uvs.resize(3);
+    EXPECT_THROW(write_obj(folder / "b.obj", mesh), std::invalid_argument);
 }
 
 TEST_F(ObjFile, AnyFlippedBytesParseOrAreAnInputError) {
