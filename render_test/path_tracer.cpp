@@ -108,7 +108,7 @@ float strand_clearance(const Hit& hit, const Vec3f& direction) {
     const float leaves =
         std::sqrt(std::max(0.0f, inward * inward + r2 - hit.offset.squaredNorm())) -
         inward;
-    return std::min((1.01f * leaves + 0.02f * hit.radius) / cosine, 10 * hit.radius);
+    return (1.01f * leaves + 0.02f * hit.radius) / std::max(cosine, 0.1f);
 }
 
 PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ray ray,

@@ -42,8 +42,8 @@ PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ra
 
 /// How far from a strand's hit a ray in `direction` starts to count, cm. Scattering has
 /// already carried it through: a ribbon stands for a cylinder, and would otherwise be met
-/// again as it turns to face the new ray. This is where the ray leaves the cylinder, at
-/// most ten radii on (rays nearly along the strand).
+/// again as it turns to face the new ray. This is where the ray leaves the cylinder; of
+/// rays nearly along the strand, at most 21 radii on.
 float strand_clearance(const Hit& hit, const Vec3f& direction);
 
 }  // namespace lancret
