@@ -40,7 +40,8 @@ void render_pixel(const RenderScene& scene, const Camera& camera,
     }
     const float share = 1 / float(settings.samples);
     const float alpha = settings.path.show_environment ? 1 : float(hits) * share;
-    image.rgba[pixel] << radiance * share, alpha;
+    radiance *= share;
+    image.rgba[pixel] = {radiance.x(), radiance.y(), radiance.z(), alpha};
     if (hits == 0) return;
     image.depth[pixel] = depth / float(hits);
     image.normal[pixel] = normal / float(hits);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_test/render.h"
+#include "render_test/sampling.h"
 #include "tests/render_test/make_curves.h"
 #include "tests/render_test/statistics.h"
 
@@ -61,7 +62,7 @@ TEST(PathTracer, WhiteGroomOnAWhiteSphereIsAsBrightAsTheSky) {
 
 TEST(SlowPathTracer, WhiteGroomInAnEvenSkyHoldsToAThousandth) {
     const Curves curves = hairy_sphere(20000, 8, 0.01f);
-    const Mean mean = covered_radiance(furnace(curves, nullptr, 256));
+    const Mean mean = covered_radiance(furnace(curves, nullptr, 768));
     EXPECT_LT(mean.error(), 5e-4);
     EXPECT_NEAR(mean.value(), 1, kSigmas * mean.error() + 1e-5);
 }
@@ -131,6 +132,86 @@ TEST(PathTracer, APlateUnderADistantLightShowsLambertsLaw) {
     // L = albedo / pi * E cos 45 degrees, evenly over a disc of 0.02 radian whose mean
     // cosine is that of its centre to 0.02^2 / 4 = 1e-4.
     EXPECT_NEAR(mean.value(), 0.5 / M_PI * std::sqrt(0.5), kSigmas * mean.error() + 1e-4);
+}
+
+TEST(PathTracer, OneScatteringIsTheBsdfIntegratedOverTheLight) {
+    // A light wide enough that both ways of sampling find it often.
+    const Curves curves = curves_through(
+        {{Vec3f(-9, 0, 0), Vec3f(-3, 0, 0), Vec3f(3, 0, 0), Vec3f(9, 0, 0)}}, 0.5f);
+    const HairScene geometry(curves);
+    RenderScene scene;
+    scene.geometry = &geometry;
+    const float radius = 0.3f, h = 0.4f;
+    const Vec3f towards = Vec3f(-0.2f, 0.9f, 0.5f).normalized();
+    scene.lights = Lights(Environment(), {{towards, Vec3f(3, 2, 1), radius}});
+    PathSettings settings;
+    settings.max_depth = 1;
+    Mean traced, integrated;
+    const HairBsdf bsdf(scene.hair, Vec3f::UnitZ(), h);
+    const Mat3f frame = frame_about(towards);
+    for (std::uint32_t i = 0; i < 100000; ++i) {
+        Sampler sampler(2, i, 0);
+        const Vec2f random = sampler.next();
+        sampler.skip_to(2);
+        Ray ray;
+        ray.origin = Vec3f(0.3f, 0.5f * h, 50);
+        ray.direction = -Vec3f::UnitZ();
+        traced.add(trace_path(scene, settings, ray, sampler).radiance.y());
+        // Uniform over the disc, of radiance E / (pi sin^2) and the cap's solid angle.
+        const float cosine = 1 - random.x() * (1 - std::cos(radius));
+        const float sine = std::sqrt(1 - cosine * cosine);
+        const float phi = 2 * kPi * random.y();
+        const Vec3f wi =
+            frame * Vec3f(sine * std::cos(phi), sine * std::sin(phi), cosine);
+        const double sine_radius = std::sin(double(radius));
+        integrated.add(bsdf.evaluate(wi).value.y() * 2 /
+                       (M_PI * sine_radius * sine_radius) * 2 * M_PI *
+                       (1 - std::cos(double(radius))));
+    }
+    // Along +x seen from +z: x is the tangent, y across, z facing, as the world's axes.
+    EXPECT_NEAR(traced.value(), integrated.value(),
+                kSigmas * std::hypot(traced.error(), integrated.error()));
+    EXPECT_LT(traced.error(), 0.005 * traced.value());
+}
+
+TEST(PathTracer, AMeshShowsItsTextureAtItsUvs) {
+    TriangleMesh plate;
+    plate.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    plate.triangles = {{0, 1, 2}, {0, 2, 3}};
+    plate.uvs = {{Vec2f(0, 0), Vec2f(1, 0), Vec2f(1, 1)},
+                 {Vec2f(0, 0), Vec2f(1, 1), Vec2f(0, 1)}};
+    const Curves none = curves_through({}, 0.1f);
+    const HairScene geometry(none, &plate);
+    RenderScene scene;
+    scene.geometry = &geometry;
+    scene.mesh.colour = Vec3f(0.5f, 1, 1);
+    // Top row red, green; bottom row blue, white.
+    scene.mesh.texture =
+        ColourMap{2, 2, {Vec3f(1, 0, 0), Vec3f(0, 1, 0), Vec3f(0, 0, 1), Vec3f(1, 1, 1)}};
+    scene.lights = Lights(Environment(Vec3f::Ones()));
+    const auto shown = [&](float x, float y) {
+        Mean channels[3];
+        for (std::uint32_t i = 0; i < 64; ++i) {
+            Sampler sampler(1, i, 0);
+            sampler.skip_to(2);
+            Ray ray;
+            ray.origin = Vec3f(x, y, 5);
+            ray.direction = -Vec3f::UnitZ();
+            const Vec3f radiance = trace_path(scene, {}, ray, sampler).radiance;
+            for (int c = 0; c < 3; ++c) channels[c].add(radiance[c]);
+        }
+        // Which channels are lit; a plate in an even sky shows its colour.
+        Vec3f colour;
+        for (int c = 0; c < 3; ++c) {
+            colour[c] = std::round(2 * float(channels[c].value())) / 2;
+            EXPECT_NEAR(channels[c].value(), colour[c], kSigmas * channels[c].error());
+        }
+        return colour;
+    };
+    EXPECT_EQ(shown(0.2f, 0.9f), Vec3f(0.5f, 0, 0));
+    EXPECT_EQ(shown(0.8f, 0.9f), Vec3f(0, 1, 0));
+    EXPECT_EQ(shown(0.2f, 0.1f), Vec3f(0, 0, 1));
+    EXPECT_EQ(shown(0.8f, 0.1f), Vec3f(0.5f, 1, 1));
 }
 
 TEST(PathTracer, DeeperPathsOnlyAddLight) {
