@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <mutex>
 
 #include "tests/render_test/make_curves.h"
@@ -84,6 +86,37 @@ TEST(Render, LayersTellWhatThePixelSees) {
     EXPECT_GT(strands, 200);
     EXPECT_GT(meshes, 20);
     EXPECT_GT(nothing, 20);  // the first sample of a pixel at the edge
+}
+
+TEST(Render, BrokenStrandsNeitherCrashNorSpoilThePicture) {
+    Groom groom;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity();
+    const std::uint32_t per = groom.curves.points_per_strand;
+    const auto spoil = [&](std::uint32_t strand, const auto& change) {
+        for (std::uint32_t j = 0; j < per; ++j)
+            change(groom.curves.points[std::size_t(strand) * per + j], j);
+    };
+    // The strands in front, and one of each fault among every six.
+    for (std::uint32_t i = 0; i < 1500; ++i)
+        spoil(i, [&](Point4f& p, std::uint32_t j) {
+            if (i % 6 == 0 && j == 7) p.x = nan;
+            if (i % 6 == 1 && j == 7) p.w = nan;
+            if (i % 6 == 2 && j == 7) p.y = infinity;
+            if (i % 6 == 3) p.w = 0;
+            if (i % 6 == 4) p = groom.curves.points[std::size_t(i) * per];
+        });
+    groom.geometry = HairScene(groom.curves, &groom.mesh);
+    const Image image = groom.image();
+    int strands = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+        EXPECT_TRUE(image.rgba[i].allFinite() && image.normal[i].allFinite() &&
+                    image.tangent[i].allFinite() && std::isfinite(image.depth[i]));
+        if (image.id[i] >= kMeshId) continue;
+        ++strands;
+        EXPECT_NE(image.id[i] % 6, 3u);  // no radius, nothing to hit
+    }
+    EXPECT_GT(strands, 100);
 }
 
 TEST(Render, EnvironmentIsShownOnRequestAndThenCoversAll) {
