@@ -82,7 +82,7 @@ void compare_lone_strand(CurveShape shape, float sigma_a) {
     scene.hair = HairModel(m);
     scene.lights = Lights(Environment(Vec3f::Ones()));
     Mean traced, alone;
-    for (std::uint32_t i = 0; i < 20000; ++i) {
+    for (std::uint32_t i = 0; i < 10000; ++i) {
         Sampler sampler(1, i, 0);
         const float h = 2 * sampler.next().x() - 1;
         Ray ray;
