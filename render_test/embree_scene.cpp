@@ -77,6 +77,9 @@ void check_indices(const Curves& curves, const TriangleMesh* mesh) {
     if (!mesh) return;
     if (!mesh->uvs.empty() && mesh->uvs.size() != mesh->triangles.size())
         throw std::invalid_argument("a mesh needs UVs for every triangle or for none");
+    for (const auto& corners : mesh->uvs)
+        for (const Vec2f& uv : corners)
+            if (!uv.allFinite()) throw std::invalid_argument("a mesh's UV is not finite");
     for (const auto& triangle : mesh->triangles)
         for (const std::uint32_t corner : triangle)
             if (corner >= mesh->positions.size())

@@ -55,7 +55,7 @@ struct HairSceneOptions {
 class HairScene {
   public:
     /// Builds on all threads. Throws std::invalid_argument where an index points outside
-    /// its array, std::runtime_error where Embree fails.
+    /// its array or a UV is not finite, std::runtime_error where Embree fails.
     explicit HairScene(const Curves& curves, const TriangleMesh* mesh = nullptr,
                        const HairSceneOptions& options = {});
     ~HairScene();

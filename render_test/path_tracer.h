@@ -6,16 +6,11 @@
 
 #include "render_test/embree_scene.h"
 #include "render_test/hair_bsdf.h"
+#include "render_test/lambert.h"
 #include "render_test/lights.h"
 #include "render_test/sampler.h"
 
 namespace lancret {
-
-/// A dull surface, the same on both sides.
-struct MeshMaterial {
-    Vec3f colour = Vec3f(0.18f, 0.13f, 0.11f);  ///< share of light sent back, 0..1
-    std::optional<ColourMap> texture;           ///< by UV, times `colour`
-};
 
 /// What light meets. The geometry must outlive it.
 struct RenderScene {

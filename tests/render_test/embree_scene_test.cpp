@@ -153,6 +153,9 @@ TEST(HairScene, RefusesIndicesOutsideTheirArrays) {
     mesh.triangles = {{0, 0, 1}};
     const Curves good = straight(0.1f);
     EXPECT_THROW(HairScene(good, &mesh), std::invalid_argument);
+    mesh.triangles = {{0, 0, 0}};
+    mesh.uvs = {{Vec2f(0, 0), Vec2f(NAN, 0), Vec2f(0, 0)}};
+    EXPECT_THROW(HairScene(good, &mesh), std::invalid_argument);
 }
 
 TEST(StrandClearance, AStraightStrandIsNotMetAgain) {
