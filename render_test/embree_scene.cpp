@@ -14,6 +14,8 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "render_test/strand_axis.h"
+
 namespace lancret {
 namespace {
 
@@ -52,39 +54,6 @@ RTCGeometryType geometry_type(const Curves& curves) {
                 : RTC_GEOMETRY_TYPE_ROUND_HERMITE_CURVE;
 }
 
-using Vec4f = Eigen::Vector4f;
-
-Eigen::Map<const Vec4f, Eigen::Aligned16> as_vector(const Point4f& p) {
-    return Eigen::Map<const Vec4f, Eigen::Aligned16>(&p.x);
-}
-
-/// Axis, radius and their derivatives at `u` of a segment.
-struct AxisPoint {
-    Vec4f value;       ///< position, radius; cm
-    Vec4f derivative;  ///< by u, cm
-};
-
-AxisPoint axis_point(const Curves& curves, std::uint32_t segment, float u) {
-    const std::uint32_t first = curves.segments[segment];
-    const float t = 1 - u;
-    if (curves.basis == CurveBasis::bspline) {
-        const Point4f* p = curves.points.data() + first;
-        const auto a = as_vector(p[0]), b = as_vector(p[1]), c = as_vector(p[2]),
-                   d = as_vector(p[3]);
-        return {(t * t * t * a + (4 - 3 * u * u * (2 - u)) * b +
-                 (4 - 3 * t * t * (2 - t)) * c + u * u * u * d) /
-                    6,
-                (-t * t * a + u * (3 * u - 4) * b + t * (4 - 3 * t) * c + u * u * d) / 2};
-    }
-    const auto a = as_vector(curves.points[first]),
-               b = as_vector(curves.points[first + 1]);
-    const auto da = as_vector(curves.tangents[first]),
-               db = as_vector(curves.tangents[first + 1]);
-    return {t * t * (1 + 2 * u) * a + u * u * (1 + 2 * t) * b + t * t * u * da -
-                u * u * t * db,
-            6 * u * t * (b - a) + t * (t - 2 * u) * da + u * (u - 2 * t) * db};
-}
-
 /// `v` without its part along the unit vector `axis`, made unit; any vector across `axis`
 /// where nothing is left.
 Vec3f unit_across(const Vec3f& v, const Vec3f& axis) {
@@ -108,6 +77,9 @@ void check_indices(const Curves& curves, const TriangleMesh* mesh) {
     if (!mesh) return;
     if (!mesh->uvs.empty() && mesh->uvs.size() != mesh->triangles.size())
         throw std::invalid_argument("a mesh needs UVs for every triangle or for none");
+    for (const auto& corners : mesh->uvs)
+        for (const Vec2f& uv : corners)
+            if (!uv.allFinite()) throw std::invalid_argument("a mesh's UV is not finite");
     for (const auto& triangle : mesh->triangles)
         for (const std::uint32_t corner : triangle)
             if (corner >= mesh->positions.size())

@@ -31,15 +31,15 @@ struct Hit {
     float distance = 0;  ///< cm
     Vec3f position = Vec3f::Zero();  ///< cm
     Vec3f normal = Vec3f::UnitZ();   ///< unit. A mesh: by its winding, towards either
-                                    ///< side. Flat strands: across the tangent, to the
-                                    ///< ray's origin. Round strands: outward.
+                                     ///< side. Flat strands: across the tangent, to the
+                                     ///< ray's origin. Round strands: outward.
     Vec3f tangent =
         Vec3f::UnitX();  ///< unit, root to tip; of a mesh, along its first edge
     Vec3f facing = Vec3f::UnitZ();  ///< strands: unit, across the tangent and nearest to
                                     ///< the direction back along the ray
-    Vec3f offset = Vec3f::Zero();  ///< strands: from the axis to the hit, across the
-                                   ///< tangent, cm
-    float radius = 0;              ///< strands: cm
+    Vec3f offset = Vec3f::Zero();   ///< strands: from the axis to the hit, across the
+                                    ///< tangent, cm
+    float radius = 0;               ///< strands: cm
     float h = 0;               ///< strands: offset . (facing x tangent) / radius, -1..1
     Vec2f uv = Vec2f::Zero();  ///< a mesh with UVs
 };
@@ -55,7 +55,7 @@ struct HairSceneOptions {
 class HairScene {
   public:
     /// Builds on all threads. Throws std::invalid_argument where an index points outside
-    /// its array, std::runtime_error where Embree fails.
+    /// its array or a UV is not finite, std::runtime_error where Embree fails.
     explicit HairScene(const Curves& curves, const TriangleMesh* mesh = nullptr,
                        const HairSceneOptions& options = {});
     ~HairScene();

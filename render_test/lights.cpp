@@ -90,12 +90,11 @@ Lights default_lights(const Vec3f& view, const Vec3f& up) {
     const Vec3f above = right.cross(view);
     const Vec3f key = -view - 0.8f * right + 0.9f * above;
     const Vec3f rim = 0.9f * view + 0.7f * right + 0.8f * above;
-    return Lights(
-        Environment(sky_map(Vec3f(0.55f, 0.65f, 0.8f), Vec3f(0.45f, 0.45f, 0.45f),
-                            Vec3f(0.12f, 0.11f, 0.1f)),
-                    up),
-        {{key, 2.6f * Vec3f(1, 0.97f, 0.92f), 0.06f},
-         {rim, 2.0f * Vec3f(0.95f, 0.97f, 1), 0.06f}});
+    return Lights(Environment(sky_map(Vec3f(0.75f, 0.85f, 1.0f), Vec3f(0.6f, 0.6f, 0.6f),
+                                      Vec3f(0.2f, 0.18f, 0.16f)),
+                              up),
+                  {{key, 4.0f * Vec3f(1, 0.97f, 0.92f), 0.06f},
+                   {rim, 2.5f * Vec3f(0.95f, 0.97f, 1), 0.06f}});
 }
 
 }  // namespace lancret

@@ -11,36 +11,6 @@ namespace {
 /// Pairs of random dimensions: two for the pixel, then as many as this for each bounce.
 constexpr std::uint32_t kCameraPairs = 2, kBouncePairs = 4;
 
-/// Nearest texel; UVs outside [0, 1] repeat, and v runs upward.
-Vec3f texture_colour(const ColourMap& map, const Vec2f& uv) {
-    const auto texel = [](float t, int size) {
-        return std::clamp(int((t - std::floor(t)) * float(size)), 0, size - 1);
-    };
-    return map.at(texel(uv.x(), map.width), texel(1 - uv.y(), map.height));
-}
-
-class Lambert {
-  public:
-    Lambert(const MeshMaterial& material, const Hit& hit) : colour_(material.colour) {
-        if (material.texture)
-            colour_ = colour_.cwiseProduct(texture_colour(*material.texture, hit.uv));
-    }
-    BsdfValue evaluate(const Vec3f& wi) const {
-        if (wi.z() <= 0) return {};
-        return {colour_ * (wi.z() / kPi), wi.z() / kPi};
-    }
-    std::optional<BsdfSample> sample(float, float, const Vec2f& random) const {
-        BsdfSample sample;
-        sample.direction = cosine_hemisphere(random);
-        sample.at = evaluate(sample.direction);
-        if (!(sample.at.pdf > 0)) return std::nullopt;
-        return sample;
-    }
-
-  private:
-    Vec3f colour_;
-};
-
 /// A path on its way: what it has gathered, and what it still lets through.
 struct Path {
     Ray ray;
@@ -108,7 +78,7 @@ float strand_clearance(const Hit& hit, const Vec3f& direction) {
     const float leaves =
         std::sqrt(std::max(0.0f, inward * inward + r2 - hit.offset.squaredNorm())) -
         inward;
-    return std::min((1.01f * leaves + 0.02f * hit.radius) / cosine, 10 * hit.radius);
+    return (1.01f * leaves + 0.02f * hit.radius) / std::max(cosine, 0.1f);
 }
 
 PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ray ray,

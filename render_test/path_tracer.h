@@ -6,16 +6,11 @@
 
 #include "render_test/embree_scene.h"
 #include "render_test/hair_bsdf.h"
+#include "render_test/lambert.h"
 #include "render_test/lights.h"
 #include "render_test/sampler.h"
 
 namespace lancret {
-
-/// A dull surface, the same on both sides.
-struct MeshMaterial {
-    Vec3f colour = Vec3f(0.18f, 0.13f, 0.11f);  ///< share of light sent back, 0..1
-    std::optional<ColourMap> texture;           ///< by UV, times `colour`
-};
 
 /// What light meets. The geometry must outlive it.
 struct RenderScene {
@@ -42,8 +37,8 @@ PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ra
 
 /// How far from a strand's hit a ray in `direction` starts to count, cm. Scattering has
 /// already carried it through: a ribbon stands for a cylinder, and would otherwise be met
-/// again as it turns to face the new ray. This is where the ray leaves the cylinder, at
-/// most ten radii on (rays nearly along the strand).
+/// again as it turns to face the new ray. This is where the ray leaves the cylinder; of
+/// rays nearly along the strand, at most 21 radii on.
 float strand_clearance(const Hit& hit, const Vec3f& direction);
 
 }  // namespace lancret

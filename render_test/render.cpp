@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <mutex>
 #include <stdexcept>
+#include <string>
 
 namespace lancret {
 namespace {
@@ -40,7 +41,11 @@ void render_pixel(const RenderScene& scene, const Camera& camera,
     }
     const float share = 1 / float(settings.samples);
     const float alpha = settings.path.show_environment ? 1 : float(hits) * share;
-    image.rgba[pixel] << radiance * share, alpha;
+    radiance *= share;
+    if (!radiance.allFinite())
+        throw std::runtime_error("pixel " + std::to_string(x) + ", " + std::to_string(y) +
+                                 " is not a finite number: please report this");
+    image.rgba[pixel] = {radiance.x(), radiance.y(), radiance.z(), alpha};
     if (hits == 0) return;
     image.depth[pixel] = depth / float(hits);
     image.normal[pixel] = normal / float(hits);

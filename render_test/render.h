@@ -19,7 +19,8 @@ struct RenderSettings {
 
 /// Renders on all threads; the same bits for any number of them. `progress`, where given,
 /// is called with the share done, 0..1, from any thread but one at a time. Throws
-/// std::invalid_argument where a setting is out of its range.
+/// std::invalid_argument where a setting is out of its range, std::runtime_error where a
+/// pixel is not a finite number.
 Image render(const RenderScene& scene, const Camera& camera,
              const RenderSettings& settings,
              const std::function<void(double done)>& progress = {});

@@ -153,6 +153,9 @@ TEST(HairScene, RefusesIndicesOutsideTheirArrays) {
     mesh.triangles = {{0, 0, 1}};
     const Curves good = straight(0.1f);
     EXPECT_THROW(HairScene(good, &mesh), std::invalid_argument);
+    mesh.triangles = {{0, 0, 0}};
+    mesh.uvs = {{Vec2f(0, 0), Vec2f(NAN, 0), Vec2f(0, 0)}};
+    EXPECT_THROW(HairScene(good, &mesh), std::invalid_argument);
 }
 
 TEST(StrandClearance, AStraightStrandIsNotMetAgain) {
@@ -169,7 +172,7 @@ TEST(StrandClearance, AStraightStrandIsNotMetAgain) {
             Ray ray;
             ray.origin = hit->position;
             ray.direction = uniform_sphere({unit(random), unit(random)});
-            // Rays nearer to the strand than 1/9 leave the cylinder beyond ten radii.
+            // Rays nearer to the strand than 1/7 are let go before they have left.
             if (std::abs(ray.direction.x()) > 0.99f) continue;
             ++tries;
             with_no_clearance += scene.occluded(ray);
@@ -178,7 +181,9 @@ TEST(StrandClearance, AStraightStrandIsNotMetAgain) {
         }
         EXPECT_GT(tries, 10000);
         EXPECT_EQ(again, 0);
-        EXPECT_GT(with_no_clearance, tries / 10);
+        // Embree itself passes over a ribbon within two radii, which rays nearly along
+        // the strand outrun, and over nothing of a round strand.
+        EXPECT_GT(with_no_clearance, shape == CurveShape::flat ? 50 : tries / 4);
     }
 }
 

@@ -77,19 +77,29 @@ class SphereBins {
                std::clamp(y, 0, azimuths_ - 1)] += 1;
     }
 
-    /// The integral of a density over each bin, by `fine` x `fine` midpoints.
+    /// The integral of a density over each bin, by `fine` x `fine` midpoints that are
+    /// even in the angle: densities are smooth in it up to the poles.
     std::vector<double> integrals(const std::function<double(const Vec3f&)>& density,
                                   int fine) const {
         std::vector<double> result(counts.size(), 0);
-        const int rows = heights_ * fine, columns = azimuths_ * fine;
-        const double area = 4 * M_PI / rows / columns;
-        for (int i = 0; i < rows; ++i)
-            for (int j = 0; j < columns; ++j) {
-                const double x = -1 + 2 * (i + 0.5) / rows;
-                const double a = 2 * M_PI * (j + 0.5) / columns, r = std::sqrt(1 - x * x);
-                const Vec3f d(float(x), float(r * std::cos(a)), float(r * std::sin(a)));
-                result[std::size_t(i / fine) * azimuths_ + j / fine] += density(d) * area;
+        const int columns = azimuths_ * fine;
+        for (int bin = 0; bin < heights_; ++bin) {
+            const double low = std::asin(-1 + 2.0 * bin / heights_);
+            const double high = std::asin(-1 + 2.0 * (bin + 1) / heights_);
+            const double step = (high - low) / fine;
+            for (int i = 0; i < fine; ++i) {
+                const double from = low + i * step, middle = from + step / 2;
+                const double area =
+                    (std::sin(from + step) - std::sin(from)) * 2 * M_PI / columns;
+                for (int j = 0; j < columns; ++j) {
+                    const double a = 2 * M_PI * (j + 0.5) / columns, r = std::cos(middle);
+                    result[std::size_t(bin) * azimuths_ + j / fine] +=
+                        area *
+                        density(Vec3f(float(std::sin(middle)), float(r * std::cos(a)),
+                                      float(r * std::sin(a))));
+                }
             }
+        }
         return result;
     }
 

@@ -1,0 +1,35 @@
+#include "render_test/strand_axis.h"
+
+namespace lancret {
+namespace {
+
+using Vec4f = Eigen::Vector4f;
+
+Eigen::Map<const Vec4f, Eigen::Aligned16> as_vector(const Point4f& p) {
+    return Eigen::Map<const Vec4f, Eigen::Aligned16>(&p.x);
+}
+
+}  // namespace
+
+AxisPoint axis_point(const Curves& curves, std::uint32_t segment, float u) {
+    const std::uint32_t first = curves.segments[segment];
+    const float t = 1 - u;
+    if (curves.basis == CurveBasis::bspline) {
+        const Point4f* p = curves.points.data() + first;
+        const auto a = as_vector(p[0]), b = as_vector(p[1]), c = as_vector(p[2]),
+                   d = as_vector(p[3]);
+        return {(t * t * t * a + (4 - 3 * u * u * (2 - u)) * b +
+                 (4 - 3 * t * t * (2 - t)) * c + u * u * u * d) /
+                    6,
+                (-t * t * a + u * (3 * u - 4) * b + t * (4 - 3 * t) * c + u * u * d) / 2};
+    }
+    const auto a = as_vector(curves.points[first]),
+               b = as_vector(curves.points[first + 1]);
+    const auto da = as_vector(curves.tangents[first]),
+               db = as_vector(curves.tangents[first + 1]);
+    return {t * t * (1 + 2 * u) * a + u * u * (1 + 2 * t) * b + t * t * u * da -
+                u * u * t * db,
+            6 * u * t * (b - a) + t * (t - 2 * u) * da + u * (u - 2 * t) * db};
+}
+
+}  // namespace lancret

@@ -1,0 +1,19 @@
+#pragma once
+// The axis of a strand between its control points, by the same splines as Embree's.
+
+#include <cstdint>
+
+#include "procedural/curves.h"
+
+namespace lancret {
+
+/// Axis and radius at a place of a segment, and how they change.
+struct AxisPoint {
+    Eigen::Vector4f value;       ///< position, radius; cm
+    Eigen::Vector4f derivative;  ///< by u, cm
+};
+
+/// The axis at `u` (0..1) of a segment (counted over all strands).
+AxisPoint axis_point(const Curves& curves, std::uint32_t segment, float u);
+
+}  // namespace lancret
