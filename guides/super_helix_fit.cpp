@@ -7,16 +7,31 @@
 #include <limits>
 #include <optional>
 
+#include "guides/rotation_minimizing.h"
 #include "guides/super_helix.h"
 
 namespace lancret {
 
 namespace {
 
-/// A twist that the centreline does not ask for costs this much (a share of the squared
-/// length for each squared radian): too little to move a curve, enough to keep k0 of a
-/// straight segment from wandering.
-constexpr double kTwistCost = 1e-9;
+/// A stage of a fit: the share of the strand, from its root, that is looked at, and what
+/// a twist costs, as a share of the squared length for each squared radian. A fit takes
+/// the strand in from the root on, since an early segment that is wrong carries all the
+/// rest with it. The centreline says little of twist where a segment hardly bends, and a
+/// fit that is free to use it makes up torsion that the strand does not have: twist is
+/// dear at first and ends cheap.
+struct Stage {
+    double share, twist_cost;
+    int iterations;
+};
+constexpr Stage kStages[] = {
+    {0.3, 1e-5, 10}, {0.6, 1e-5, 10}, {1, 1e-5, 15}, {1, 1e-7, 40}};
+
+/// The most that one segment may turn, radians: beyond half a turn, segments are too few.
+constexpr double kMostTurn = 3.2;
+
+/// RMS distance over length below which a fit needs no second start.
+constexpr double kGoodFit = 2e-3;
 
 /// The first guess: in a rotation-minimising frame the bending vector is a complex number
 /// kappa exp(i theta); a segment's twist is the mean rate of theta, its bending the mean
@@ -54,9 +69,12 @@ std::vector<Vec3> first_guess(const SampledCurve& target, const Mat3& root, int 
 }
 
 /// The fit of one strand as a least-squares problem in radians a segment (the curvatures
-/// times the segment's length), after them three angles of the root frame.
+/// times the segment's length), after them two angles that tilt the root tangent.
 class Problem {
   public:
+    double twist_cost = 0;    ///< now
+    std::size_t samples = 0;  ///< from the root, that are looked at now
+
     Problem(const SampledCurve& target, const Mat3& root, const FitSettings& settings)
         : target_(target),
           root_(root),
@@ -90,19 +108,28 @@ class Problem {
         for (std::size_t q = 0; q < curvatures.size(); ++q) {
             x.segment<3>(3 * q) = curvatures[q] * lengths_[q];
         }
+        return kept_in_range(std::move(x));
+    }
+
+    /// x with every segment's turn cut back to the most that it may be.
+    Eigen::VectorXd kept_in_range(Eigen::VectorXd x) const {
+        for (std::size_t q = 0; q < lengths_.size(); ++q) {
+            const double turn = x.segment<3>(3 * q).norm();
+            if (turn > kMostTurn) x.segment<3>(3 * q) *= kMostTurn / turn;
+        }
         return x;
     }
 
     /// Squared distance plus the cost of twist, cm^2; fills the residual.
     double cost(const Eigen::VectorXd& x) {
         const std::vector<Vec3> curvatures = this->curvatures(x);
-        residual_.resize(3 * s_.size());
-        sample(SuperHelix{{root(x), target_.positions[0]}, lengths_, curvatures}, s_,
+        residual_.resize(3 * samples);
+        sample(SuperHelix{{root(x), target_.positions[0]}, lengths_, curvatures}, seen(),
                [&](std::size_t i, auto, const HelixState<double>& state) {
                    residual_.segment<3>(3 * i) =
                        state.position - target_.positions[i + 1];
                });
-        return residual_.squaredNorm() + twist_cost(x);
+        return residual_.squaredNorm() + total_twist_cost(x);
     }
 
     /// The normal equations at x: half the cost's gradient and its Gauss-Newton matrix.
@@ -111,10 +138,10 @@ class Problem {
         const std::vector<Vec3> curvatures = this->curvatures(x);
         const Mat3 frame = root(x);
         const SuperHelix helix{{frame, target_.positions[0]}, lengths_, curvatures};
-        positions_with_jacobian(helix, s_, residual_, by_curvature_);
+        positions_with_jacobian(helix, seen(), residual_, by_curvature_);
         jacobian_.resize(residual_.size(), unknowns());
         jacobian_.leftCols(by_curvature_.cols()) = by_curvature_ / lengths_[0];
-        for (std::size_t i = 0; i < s_.size(); ++i) {
+        for (std::size_t i = 0; i < samples; ++i) {
             const Vec3 arm = residual_.segment<3>(3 * i) - target_.positions[0];
             if (turns_root_) {
                 // The angles turn the frame in its own axes: dr = (R0 V da) x arm.
@@ -135,7 +162,9 @@ class Problem {
         }
     }
 
+    /// Looks at the whole strand.
     FitReport report(const Eigen::VectorXd& x) {
+        samples = s_.size();
         cost(x);
         FitReport out;
         out.length = target_.length;
@@ -147,13 +176,14 @@ class Problem {
     }
 
   private:
+    std::span<const double> seen() const { return std::span(s_).first(samples); }
     static Vec3 tilt(const Eigen::VectorXd& x) {
         return {0, x[x.size() - 2], x[x.size() - 1]};
     }
     double twist_weight() const {
-        return kTwistCost * target_.length * target_.length * double(s_.size());
+        return twist_cost * target_.length * target_.length * double(samples);
     }
-    double twist_cost(const Eigen::VectorXd& x) const {
+    double total_twist_cost(const Eigen::VectorXd& x) const {
         double sum = 0;
         for (std::size_t q = 0; q < lengths_.size(); ++q) sum += x[3 * q] * x[3 * q];
         return twist_weight() * sum;
@@ -182,7 +212,8 @@ int minimize(Problem& problem, Eigen::VectorXd& x, double floor, int max_iterati
             Eigen::MatrixXd damped = matrix;
             damped.diagonal() +=
                 damping * (matrix.diagonal().array() + 1e-6 * scale).matrix();
-            const Eigen::VectorXd trial = x - damped.ldlt().solve(gradient);
+            const Eigen::VectorXd trial =
+                problem.kept_in_range(x - damped.ldlt().solve(gradient));
             const double trial_cost = problem.cost(trial);
             if (trial_cost < cost) {
                 drop = (cost - trial_cost) / cost;
@@ -194,45 +225,39 @@ int minimize(Problem& problem, Eigen::VectorXd& x, double floor, int max_iterati
                 damping *= 5;
             }
         }
-        if (!lower || drop < 1e-5) break;
+        if (!lower || drop < 1e-3) break;
     }
     return iteration;
 }
 
 }  // namespace
 
-Mat3 root_frame(const Vec3& tangent, const Vec3& hint) {
-    Vec3 across = hint - tangent * tangent.dot(hint);
-    if (across.norm() <= 1e-6 * hint.norm() || hint.norm() == 0)
-        across = tangent.unitOrthogonal();
-    across.normalize();
-    Mat3 frame;
-    frame << tangent, across, tangent.cross(across);
-    orthonormalize<double>(frame);
-    return frame;
-}
-
 FittedGuide fit_super_helix(const SampledCurve& target, const Vec3& surface_tangent,
                             const FitSettings& settings) {
-    const Mat3 root = root_frame(target.tangents[0], surface_tangent);
+    const Mat3 root = frame_from_normal(target.tangents[0], surface_tangent);
     Problem problem(target, root, settings);
-    Eigen::VectorXd x;
-    double best = std::numeric_limits<double>::infinity();
-    for (const bool with_twist : {false, true}) {
-        const Eigen::VectorXd guess =
-            problem.unknowns_of(first_guess(target, root, settings.segments, with_twist));
-        const double cost = problem.cost(guess);
-        if (cost < best) {
-            best = cost;
-            x = guess;
-        }
-    }
     // Below a ten-millionth of the length a fit is as good as single-precision files can
     // tell.
     const double floor =
         1e-14 * target.length * target.length * double(target.positions.size());
-    const int iterations = minimize(problem, x, floor, settings.max_iterations);
-    FittedGuide out{problem.root(x), problem.curvatures(x), problem.report(x)};
+    const double n = double(fit_samples(settings));
+    FittedGuide out;
+    out.report.rms = std::numeric_limits<double>::infinity();
+    int iterations = 0;
+    for (const bool with_twist : {false, true}) {
+        Eigen::VectorXd x =
+            problem.unknowns_of(first_guess(target, root, settings.segments, with_twist));
+        for (const Stage& stage : kStages) {
+            problem.samples = std::size_t(std::ceil(stage.share * n));
+            problem.twist_cost = stage.twist_cost;
+            iterations += minimize(problem, x, floor, stage.iterations);
+        }
+        const FitReport report = problem.report(x);
+        if (report.rms < out.report.rms) {
+            out = {problem.root(x), problem.curvatures(x), report};
+        }
+        if (out.report.rms < kGoodFit * target.length) break;
+    }
     out.report.iterations = iterations;
     return out;
 }

@@ -13,7 +13,6 @@ struct FitSettings {
     int segments = 8;             ///< helices a guide, all of one length, >= 1
     int samples_per_segment = 4;  ///< where the fit is measured, >= 2
     bool fit_root_frame = true;   ///< the root tangent may turn as well
-    int max_iterations = 60;
 };
 
 /// How near a fit came, over the samples it was measured at.
@@ -59,9 +58,5 @@ struct FittedGuides {
 FittedGuides fit_guides(const Strands& strands, std::span<const std::uint32_t> which,
                         std::span<const Vec3> surface_tangents,
                         const FitSettings& settings);
-
-/// The frame [T, M, T x M] of a root: M is `hint` made perpendicular to the unit
-/// `tangent`, or any fixed perpendicular where the two are parallel.
-Mat3 root_frame(const Vec3& tangent, const Vec3& hint);
 
 }  // namespace lancret

@@ -3,14 +3,20 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_reduce.h>
 
-#include "guides/super_helix.h"
-#include "procedural/control_points.h"
+#include <algorithm>
+#include <cmath>
+
+#include "procedural/expand.h"
 
 namespace lancret {
 
 namespace {
 
 constexpr int kBetween = 4;  ///< places measured in each interval
+
+/// Radians that an interval may turn: below half a turn, so that a strand can be told
+/// from its places and frames.
+constexpr double kMostTurn = 2;
 
 /// The emitted curve at parameter t in [0, 1] of segment j.
 Vec3f emitted(CurveBasis basis, std::span<const Point4f> points,
@@ -28,58 +34,59 @@ Vec3f emitted(CurveBasis basis, std::span<const Point4f> points,
            6;
 }
 
-double guide_distance(const Guides& guides, std::size_t g, int n, CurveBasis basis) {
-    SuperHelix helix = super_helix(guides, g);
-    helix.root = {};
-    const double length = guide_length(guides, g);
-    const std::size_t places = std::size_t(n) * kBetween;
-    std::vector<double> s(places + 1);
-    for (std::size_t i = 0; i <= places; ++i) s[i] = length * double(i) / double(places);
-    std::vector<HelixState<float>> fine(places + 1), coarse;
-    sample(helix, s, [&](std::size_t i, auto, const HelixState<double>& state) {
-        fine[i] = {state.frame.cast<float>(), state.position.cast<float>()};
-    });
-    for (std::size_t i = 0; i <= places; i += kBetween) coarse.push_back(fine[i]);
+}  // namespace
 
-    const std::uint32_t count = control_points_of(basis, n);
-    std::vector<Point4f> points(count), tangents(count);
-    const float ds = float(length / n);
+double emission_distance(std::span<const HelixState<float>> states, float ds,
+                         CurveBasis basis) {
+    const std::uint32_t n = std::uint32_t(states.size()) - 1;
+    std::vector<Point4f> points(control_points_of(basis, n)), tangents(points.size());
     if (basis == CurveBasis::hermite) {
-        hermite_points(coarse, ds, Vec3f::Zero(), {}, points, tangents);
+        hermite_points(states, ds, Vec3f::Zero(), {}, points, tangents);
     } else {
-        bspline_points(coarse, ds, Vec3f::Zero(), {}, points);
+        bspline_points(states, ds, Vec3f::Zero(), {}, points);
     }
-    double worst = 0;
-    for (std::size_t i = 0; i <= places; ++i) {
-        const std::size_t j = std::min(i / kBetween, std::size_t(n) - 1);
-        const float t = float(i - j * kBetween) / kBetween;
-        // The curve's own parameter may run ahead along the strand: only what lies across
-        // counts.
-        const Vec3f off = emitted(basis, points, tangents, j, t) - fine[i].position;
-        const Vec3f tangent = fine[i].frame.col(0);
-        worst = std::max(worst, double((off - tangent * tangent.dot(off)).norm()));
+    float worst = 0;
+    for (std::uint32_t j = 0; j < n; ++j) {
+        const Vec3f turn =
+            rotation_log<float>(states[j].frame.transpose() * states[j + 1].frame);
+        for (int q = 0; q < kBetween; ++q) {
+            const float t = (float(q) + 0.5f) / kBetween;
+            HelixState<float> state = states[j];
+            advance<float>(state, turn / ds, t * ds);
+            // The curve's own parameter may run ahead along the strand: only what lies
+            // across counts.
+            const Vec3f off = emitted(basis, points, tangents, j, t) - state.position;
+            const Vec3f tangent = state.frame.col(0);
+            worst = std::max(worst, (off - tangent * tangent.dot(off)).norm());
+        }
     }
     return worst;
 }
 
-}  // namespace
-
-double emission_distance(const Guides& guides, int intervals, CurveBasis basis) {
+int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
+                     double tolerance, CurveBasis basis, int most) {
+    double turn = 0;
+    for (std::size_t i = 0; i < guides.curvatures.size(); ++i) {
+        turn = std::max(turn, guides.curvatures[i].norm() * guides.segment_lengths[i]);
+    }
+    int n = guides.segments * std::max(1, int(std::ceil(turn / kMostTurn)));
+    const std::size_t sample = std::min<std::size_t>(binding.size(), 1024);
     using Range = tbb::blocked_range<std::size_t>;
-    return tbb::parallel_reduce(
-        Range(0, guides.size()), 0.0,
-        [&](const Range& range, double worst) {
-            for (std::size_t g = range.begin(); g < range.end(); ++g) {
-                worst = std::max(worst, guide_distance(guides, g, intervals, basis));
-            }
-            return worst;
-        },
-        [](double a, double b) { return std::max(a, b); });
-}
-
-int intervals_within(const Guides& guides, double tolerance, CurveBasis basis, int most) {
-    for (int n = guides.segments;; n += guides.segments) {
-        if (n >= most || emission_distance(guides, n, basis) <= tolerance) return n;
+    for (;; n += guides.segments) {
+        const auto profiles = guide_profiles<float>(guides, n);
+        const double farthest = tbb::parallel_reduce(
+            Range(0, sample), 0.0,
+            [&](const Range& range, double worst) {
+                std::vector<HelixState<float>> states(n + 1);
+                for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                    synthesize_child<float>(binding, profiles, blend, i, states);
+                    const float ds = binding.lengths[i] / float(n);
+                    worst = std::max(worst, emission_distance(states, ds, basis));
+                }
+                return worst;
+            },
+            [](double a, double b) { return std::max(a, b); });
+        if (n >= most || farthest <= tolerance) return n;
     }
 }
 

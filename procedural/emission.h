@@ -1,19 +1,21 @@
 #pragma once
 // How finely strands must be cut for their control points to follow them.
 
-#include "guides/guides.h"
+#include "procedural/binding.h"
 #include "procedural/curves.h"
 
 namespace lancret {
 
-/// How far, in cm, the emitted curve of a strand lies from the strand itself at most,
-/// measured between its places.
-double emission_distance(const Guides& guides, int intervals, CurveBasis basis);
+/// The farthest that the emitted curve of a strand lies from the strand, cm, as seen at
+/// four places in each interval. `states` are places at equal steps `ds` of arc length.
+double emission_distance(std::span<const HelixState<float>> states, float ds,
+                         CurveBasis basis);
 
-/// The number of intervals, a multiple of the guides' segments, at which every guide's
-/// emitted curve stays within `tolerance` cm of the guide; at most `most`, or one
-/// multiple beyond it.
-int intervals_within(const Guides& guides, double tolerance, CurveBasis basis,
-                     int most = 128);
+/// The number of intervals a strand, a multiple of the guides' segments, at which the
+/// emitted curves of the first 1,024 children (roots are spread evenly, so these are a
+/// fair sample) stay within `tolerance` cm of the strands, and no interval of a guide
+/// turns by more than 2 radians; the first gives way beyond `most`.
+int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
+                     double tolerance, CurveBasis basis, int most = 128);
 
 }  // namespace lancret

@@ -27,12 +27,12 @@ Generator make_generator(const Groom& groom, const StageCallback& stage) {
         roots = own_roots(source.grown_roots, source.grown_tangents, groom.strands,
                           groom.seed, groom.name);
     }
-    const int intervals =
-        groom.intervals
-            ? *groom.intervals
-            : intervals_within(source.guides, groom.tolerance, groom.expand.basis);
-    out.profiles = guide_profiles<float>(source.guides, intervals);
     out.binding = bind(std::move(roots), source.guides, source.normals, groom.bind);
+    const int intervals =
+        groom.intervals ? *groom.intervals
+                        : intervals_within(out.binding, source.guides, groom.expand.blend,
+                                           groom.tolerance, groom.expand.basis);
+    out.profiles = guide_profiles<float>(source.guides, intervals);
     out.seconds.bind = watch.lap();
     return out;
 }

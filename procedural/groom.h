@@ -51,8 +51,7 @@ struct Groom {
     std::uint64_t seed = 0;
     BindSettings bind;
     ExpandSettings expand;
-    double tolerance =
-        0.005;  ///< cm, of control points from the guides they would follow
+    double tolerance = 0.01;       ///< cm, of the emitted curves from the strands
     std::optional<int> intervals;  ///< a strand; none: by tolerance
 };
 
