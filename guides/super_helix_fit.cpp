@@ -234,7 +234,7 @@ int minimize(Problem& problem, Eigen::VectorXd& x, double floor, int max_iterati
 
 FittedGuide fit_super_helix(const SampledCurve& target, const Vec3& surface_tangent,
                             const FitSettings& settings) {
-    const Mat3 root = frame_from_normal(target.tangents[0], surface_tangent);
+    const Mat3 root = frame_from_normal(surface_tangent, target.tangents[0]);
     Problem problem(target, root, settings);
     // Below a ten-millionth of the length a fit is as good as single-precision files can
     // tell.
