@@ -7,6 +7,7 @@
 // where they lose their meaning, so that the result stays continuous.
 
 #include <algorithm>
+#include <numbers>
 
 #include "procedural/blend.h"
 
@@ -18,6 +19,9 @@ namespace {
 /// denominator has fallen to this share of its largest value.
 template <class T>
 constexpr T kSteady = T(1e-5);
+
+template <class T>
+constexpr T kHalfTurn = std::numbers::pi_v<T>;
 
 template <class T>
 Vec3T<T> across(const Vec3T<T>& v, const Vec3T<T>& axis) {
@@ -74,9 +78,17 @@ struct BlendedInterval {
     T kappa, tau, turn;
 };
 
+/// (kappa, N) and (-kappa, -N) are the same bend, and each guide carries its own choice
+/// along. Here the choices are brought in line: `flipped` tells, for each guide, whether
+/// its pair is turned round to lie on the side of the heaviest guide's N.
+struct Sides {
+    std::size_t heaviest = 0;
+    bool flipped[kMaxNeighbours] = {};
+};
+
 template <class T>
 BlendedInterval<T> blended_interval(const Child<T>& child, const GuideProfiles<T>& guides,
-                                    std::size_t i) {
+                                    std::size_t i, Sides& sides) {
     const std::size_t k_count = child.guides.size();
     const ProfileInterval<T>* at[kMaxNeighbours];
     for (std::size_t k = 0; k < k_count; ++k) {
@@ -85,26 +97,44 @@ BlendedInterval<T> blended_interval(const Child<T>& child, const GuideProfiles<T
     const Vec3T<T> tangent = mean_direction<T>(
         child, [&](std::size_t k) -> const Vec3T<T>& { return at[k]->tangent; });
 
+    // Every guide's bend on the heaviest guide's side. A guide that changes sides between
+    // two intervals turns by half a turn less or more.
+    Vec3T<T> normal[kMaxNeighbours];
+    T kappa_of[kMaxNeighbours], turn_of[kMaxNeighbours];
+    const Vec3T<T> side =
+        across<T>(child.to_space[sides.heaviest] * at[sides.heaviest]->normal, tangent);
+    for (std::size_t k = 0; k < k_count; ++k) {
+        normal[k] = child.to_space[k] * at[k]->normal;
+        const bool flip = normal[k].dot(side) < 0;
+        const T sign = flip ? T(-1) : T(1);
+        normal[k] *= sign;
+        kappa_of[k] = sign * at[k]->kappa;
+        turn_of[k] = at[k]->turn;
+        if (i > 0 && flip != sides.flipped[k]) {
+            turn_of[k] +=
+                turn_of[k] < at[sides.heaviest]->turn ? kHalfTurn<T> : -kHalfTurn<T>;
+        }
+        sides.flipped[k] = flip;
+    }
+
     // Sums over the guides: of w kappa N and w N across T~, and the means that steady
     // them.
     Vec3T<T> bend = Vec3T<T>::Zero(), normals = Vec3T<T>::Zero();
-    Vec3T<T> normal[kMaxNeighbours];
     T bending = 0, torsion = 0, turning = 0, plain_tau = 0, plain_turn = 0;
-    T kappa_low = at[0]->kappa, kappa_high = at[0]->kappa;
+    T kappa_low = kappa_of[0], kappa_high = kappa_of[0];
     T tau_low = at[0]->tau, tau_high = at[0]->tau;
     for (std::size_t k = 0; k < k_count; ++k) {
-        const T w = child.weights[k], share = w * std::abs(at[k]->kappa);
-        normal[k] = child.to_space[k] * at[k]->normal;
+        const T w = child.weights[k], share = w * std::abs(kappa_of[k]);
         const Vec3T<T> flat = across<T>(normal[k], tangent);
-        bend += w * at[k]->kappa * flat;
+        bend += w * kappa_of[k] * flat;
         normals += w * flat;
         bending += share;
         torsion += share * at[k]->tau;
-        turning += share * at[k]->turn;
+        turning += share * turn_of[k];
         plain_tau += w * at[k]->tau;
-        plain_turn += w * at[k]->turn;
-        kappa_low = std::min(kappa_low, at[k]->kappa);
-        kappa_high = std::max(kappa_high, at[k]->kappa);
+        plain_turn += w * turn_of[k];
+        kappa_low = std::min(kappa_low, kappa_of[k]);
+        kappa_high = std::max(kappa_high, kappa_of[k]);
         tau_low = std::min(tau_low, at[k]->tau);
         tau_high = std::max(tau_high, at[k]->tau);
     }
@@ -129,7 +159,7 @@ BlendedInterval<T> blended_interval(const Child<T>& child, const GuideProfiles<T
         for (std::size_t k = 0; k < k_count; ++k) {
             const Vec3T<T> own = (child.to_space[k] * at[k]->tangent).cross(normal[k]);
             const T along = child.weights[k] * own.dot(binormal);
-            product += along * at[k]->kappa * at[k]->tau;
+            product += along * kappa_of[k] * at[k]->tau;
             binormals += along;
         }
         const T kappa_tau = (product + kSteady<T> * kappa * mean_tau) /
@@ -150,8 +180,10 @@ void blend_option1(const Child<T>& child, const GuideProfiles<T>& guides,
     HelixState<T> state{root_frame_of(child, guides), Vec3T<T>::Zero()};
     states[0] = state;
     T angle = 0;  // of N~ from n1: the turns so far
+    Sides sides;
+    sides.heaviest = std::ranges::max_element(child.weights) - child.weights.begin();
     for (int i = 0; i < guides.count; ++i) {
-        const BlendedInterval<T> blended = blended_interval(child, guides, i);
+        const BlendedInterval<T> blended = blended_interval(child, guides, i, sides);
         angle += blended.turn;
         const Vec3T<T> u(blended.tau, -blended.kappa * std::sin(angle),
                          blended.kappa * std::cos(angle));
