@@ -169,9 +169,10 @@ double severity(const CheckReport& report, const StrandCheck& s) {
                              s.distance / t.distance, s.root_distance / t.root};
     double worst = 0;
     for (const double share : shares) {
-        if (!(share <= worst)) worst = share;
+        if (std::isnan(share)) return std::numeric_limits<double>::infinity();
+        worst = std::max(worst, share);
     }
-    return std::isnan(worst) ? std::numeric_limits<double>::infinity() : worst;
+    return worst;
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ std::array<std::size_t, 10> length_histogram(const CheckReport& report) {
     std::array<std::size_t, 10> bins{};
     for (const StrandCheck& s : report.strands) {
         const double size = std::abs(s.length_error);
-        const double decade = size > 0 ? std::floor(std::log10(size)) + 9 : 0;
+        const double decade = size == 0 ? 0 : std::floor(std::log10(size)) + 9;
         // Written so that a NaN lands in the last bin.
         bins[decade < 9 ? std::size_t(std::max(0.0, decade)) : 9] += 1;
     }

@@ -1,5 +1,8 @@
 #include "procedural/check_strand.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace lancret {
 
 namespace {
@@ -67,9 +70,11 @@ double orthogonality_error(std::span<const HelixState<float>> states) {
     double worst = 0;
     for (const HelixState<float>& state : states) {
         const Mat3 r = state.frame.cast<double>();
-        const double error = (r.transpose() * r - Mat3::Identity()).cwiseAbs().maxCoeff();
-        // A comparison that a NaN fails must not hide it.
-        if (!(error <= worst)) worst = error;
+        const Mat3 off = r.transpose() * r - Mat3::Identity();
+        // A NaN would pass through the largest coefficient unseen, or be forgotten at the
+        // next frame.
+        if (!off.allFinite()) return std::numeric_limits<double>::infinity();
+        worst = std::max(worst, off.cwiseAbs().maxCoeff());
     }
     return worst;
 }

@@ -25,7 +25,7 @@ MeasuredInterval measured_interval(const HelixState<float>& a,
 /// The place at share t of the interval that starts at `a`.
 Vec3 place_on(const HelixState<float>& a, const MeasuredInterval& interval, double t);
 
-/// max |R^T R - 1| over the frames.
+/// max |R^T R - 1| over the frames; infinity where one is not finite.
 double orthogonality_error(std::span<const HelixState<float>> states);
 
 /// The emitted curve of strand i of `curves`.

@@ -14,7 +14,7 @@ struct ExpandSettings {
     Blend blend = Blend::option1;
     CurveBasis basis = CurveBasis::bspline;
     CurveShape shape = CurveShape::flat;
-    Taper taper;
+    Taper taper{};
     std::uint32_t chunk = 256;  ///< strands that one task expands at a time, >= 1
 };
 

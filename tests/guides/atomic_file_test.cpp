@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "temporary_folder.h"
+#include "tests/guides/temporary_folder.h"
 
 namespace lancret {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "guides/scalp.h"
-#include "meshes.h"
+#include "tests/guides/meshes.h"
 
 namespace lancret {
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "temporary_folder.h"
+#include "tests/guides/temporary_folder.h"
 
 namespace lancret {
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "temporary_folder.h"
+#include "tests/guides/temporary_folder.h"
 
 namespace lancret {
 namespace {

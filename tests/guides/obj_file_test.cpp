@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "temporary_folder.h"
+#include "tests/guides/temporary_folder.h"
 
 namespace lancret {
 namespace {

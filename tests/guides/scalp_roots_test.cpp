@@ -8,8 +8,8 @@
 #include <random>
 #include <span>
 
-#include "meshes.h"
-#include "temporary_folder.h"
+#include "tests/guides/meshes.h"
+#include "tests/guides/temporary_folder.h"
 
 namespace lancret {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "meshes.h"
+#include "tests/guides/meshes.h"
 
 namespace lancret {
 namespace {

@@ -1,0 +1,48 @@
+#pragma once
+// The made groom at any number of children, for measurements. Its guides are fitted once
+// a run.
+
+#include <limits>
+
+#include "procedural/child_roots.h"
+#include "procedural/emission.h"
+#include "procedural/generator.h"
+
+namespace lancret::bench {
+
+inline const GroomGuides& made_guides() {
+    static const GroomGuides guides = [] {
+        Groom groom;
+        groom.name = "made groom";
+        groom.fit.segments = 24;
+        return groom_guides(groom);
+    }();
+    return guides;
+}
+
+inline Roots made_roots(std::uint32_t children) {
+    const GroomGuides& guides = made_guides();
+    return roots_on_scalp(*guides.scalp, guides.grown_roots, children, 0,
+                          std::numeric_limits<double>::infinity());
+}
+
+/// Kept from call to call: a benchmark is set up anew for every trial of its length.
+inline const Binding& made_binding(std::uint32_t children) {
+    static Binding binding;
+    if (binding.size() != children) {
+        const GroomGuides& guides = made_guides();
+        binding = {};
+        binding = bind(made_roots(children), guides.guides, guides.normals, {});
+    }
+    return binding;
+}
+
+/// As many intervals a strand as a groom of these guides takes by itself.
+inline int made_intervals() {
+    static const int intervals =
+        intervals_within(made_binding(10'000), made_guides().guides, Blend::option1,
+                         Groom().tolerance, CurveBasis::bspline);
+    return intervals;
+}
+
+}  // namespace lancret::bench
