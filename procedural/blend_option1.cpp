@@ -7,6 +7,7 @@
 // where they lose their meaning, so that the result stays continuous.
 
 #include <algorithm>
+#include <cmath>
 
 #include "procedural/blend.h"
 
@@ -18,6 +19,10 @@ namespace {
 /// denominator has fallen to this share of its largest value.
 template <class T>
 constexpr T kSteady = T(1e-5);
+
+/// A bend of this size (1/cm) has no direction.
+template <class T>
+constexpr T kNothing = T(1e-12);
 
 template <class T>
 Vec3T<T> across(const Vec3T<T>& v, const Vec3T<T>& axis) {
@@ -38,29 +43,46 @@ Vec3T<T> mean_direction(const Child<T>& child, Vector&& vector) {
     return child.to_space[heaviest] * vector(heaviest);
 }
 
-/// F~(0): the tangent and the curvature-weighted normal of the guides' roots. Where the
-/// normals cancel or no guide bends there, the guides' first axis across the tangent
-/// serves: the frame is orthonormal whatever comes.
+/// The guides' interval i.
 template <class T>
-Mat3T<T> root_frame_of(const Child<T>& child, const GuideProfiles<T>& guides) {
+struct Row {
+    const ProfileInterval<T>* at[kMaxNeighbours];
+
+    Row(const Child<T>& child, const GuideProfiles<T>& guides, std::size_t i) {
+        for (std::size_t k = 0; k < child.guides.size(); ++k) {
+            at[k] = &guides.intervals[std::size_t(child.guides[k]) * guides.count + i];
+        }
+    }
+};
+
+/// sum(w kappa P N) at one end of an interval, which has the direction of N~ there.
+/// Straight guides have the faintest say, by the normal that they carry.
+template <class T>
+Vec3T<T> bend_of(const Child<T>& child, const Row<T>& row,
+                 Vec3T<T> ProfileInterval<T>::*normal, const Vec3T<T>& tangent) {
+    constexpr T kFaint = T(1e-6);  // 1/cm
+    Vec3T<T> bend = Vec3T<T>::Zero();
+    for (std::size_t k = 0; k < child.guides.size(); ++k) {
+        bend += child.weights[k] * (row.at[k]->kappa + kFaint) *
+                (child.to_space[k] * (row.at[k]->*normal));
+    }
+    return across<T>(bend, tangent);
+}
+
+/// F~(0): the tangent and the curvature-weighted normal of the guides' roots. Where the
+/// normals cancel, the guides' first axis across the tangent serves: the frame is
+/// orthonormal whatever comes.
+template <class T>
+Mat3T<T> root_frame_of(const Child<T>& child, const Row<T>& row) {
     const Vec3T<T> tangent =
         mean_direction<T>(child, [](std::size_t) { return Vec3T<T>::UnitX(); });
-    Vec3T<T> bend = Vec3T<T>::Zero();
-    T most = 0;
-    for (std::size_t k = 0; k < child.guides.size(); ++k) {
-        const std::uint32_t g = child.guides[k];
-        const T kappa =
-            child.weights[k] * guides.intervals[std::size_t(g) * guides.count].kappa;
-        bend += kappa * (child.to_space[k] * guides.root_normals[g]);
-        most += std::abs(kappa);
-    }
-    Vec3T<T> normal = across<T>(bend, tangent);
-    if (!(normal.norm() > kSteady<T> * most)) {
+    Vec3T<T> normal = bend_of(child, row, &ProfileInterval<T>::normal_before, tangent);
+    if (!(normal.norm() > kNothing<T>)) {
         normal = across<T>(
             mean_direction<T>(child, [](std::size_t) { return Vec3T<T>::UnitY(); }),
             tangent);
     }
-    if (!(normal.norm() > kSteady<T>)) normal = tangent.unitOrthogonal();
+    if (!(normal.norm() > kNothing<T>)) normal = tangent.unitOrthogonal();
     normal.normalize();
     Mat3T<T> frame;
     frame << tangent, normal, tangent.cross(normal);
@@ -68,77 +90,102 @@ Mat3T<T> root_frame_of(const Child<T>& child, const GuideProfiles<T>& guides) {
     return frame;
 }
 
-/// kappa~, tau~ and the turn of N~ on one interval.
+/// The angle by which N~ turns about T~ where two intervals meet: from the bend before
+/// the joint to the bend after it, both seen across T~ at the joint. An inflection is
+/// half a turn.
 template <class T>
-struct BlendedInterval {
-    T kappa, tau, turn;
+T turn_at_joint(const Child<T>& child, const GuideProfiles<T>& guides,
+                const Row<T>& before, const Row<T>& after, std::size_t place) {
+    const Vec3T<T> tangent =
+        mean_direction<T>(child, [&](std::size_t k) -> const Vec3T<T>& {
+            return guides
+                .tangents[std::size_t(child.guides[k]) * (guides.count + 1) + place];
+        });
+    const Vec3T<T> from =
+        bend_of(child, before, &ProfileInterval<T>::normal_after, tangent);
+    const Vec3T<T> to =
+        bend_of(child, after, &ProfileInterval<T>::normal_before, tangent);
+    const T sine = tangent.dot(from.cross(to)), cosine = from.dot(to);
+    if (!(std::abs(sine) + std::abs(cosine) > kNothing<T> * kNothing<T>)) return 0;
+    return std::atan2(sine, cosine);
+}
+
+/// kappa~ and tau~ on one interval.
+template <class T>
+struct Rates {
+    T kappa, tau;
 };
 
+/// Rates from the guides in the middle of an interval, inside the hull of the guides'
+/// own.
 template <class T>
-BlendedInterval<T> blended_interval(const Child<T>& child, const GuideProfiles<T>& guides,
-                                    std::size_t i) {
-    const std::size_t k_count = child.guides.size();
-    const ProfileInterval<T>* at[kMaxNeighbours];
-    for (std::size_t k = 0; k < k_count; ++k) {
-        at[k] = &guides.intervals[std::size_t(child.guides[k]) * guides.count + i];
-    }
+Rates<T> blended_rates(const Child<T>& child, const Row<T>& row) {
+    const std::size_t count = child.guides.size();
     const Vec3T<T> tangent = mean_direction<T>(
-        child, [&](std::size_t k) -> const Vec3T<T>& { return at[k]->tangent; });
+        child, [&](std::size_t k) -> const Vec3T<T>& { return row.at[k]->tangent; });
 
-    // Sums over the guides: of w kappa N and w N across T~, and the means that steady
-    // them.
-    Vec3T<T> bend = Vec3T<T>::Zero(), normals = Vec3T<T>::Zero();
+    // (kappa, N) and (-kappa, -N) are the same bend. All are told with N on the side of
+    // the guide that bends most, so that guides on either side of an inflection cancel in
+    // kappa, not in N.
     Vec3T<T> normal[kMaxNeighbours];
-    T bending = 0, torsion = 0, turning = 0, plain_tau = 0, plain_turn = 0;
-    T kappa_low = at[0]->kappa, kappa_high = at[0]->kappa;
-    T tau_low = at[0]->tau, tau_high = at[0]->tau;
-    for (std::size_t k = 0; k < k_count; ++k) {
-        const T w = child.weights[k], share = w * std::abs(at[k]->kappa);
-        normal[k] = child.to_space[k] * at[k]->normal;
+    T kappa_of[kMaxNeighbours];
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        normal[k] = child.to_space[k] * row.at[k]->normal;
+        kappa_of[k] = row.at[k]->kappa;
+        if (child.weights[k] * kappa_of[k] > child.weights[first] * kappa_of[first])
+            first = k;
+    }
+    const Vec3T<T> side = across<T>(normal[first], tangent);
+
+    Vec3T<T> bend = Vec3T<T>::Zero(), normals = Vec3T<T>::Zero();
+    T bending = 0, torsion = 0, plain_tau = 0;
+    T kappa_low = kappa_of[0], kappa_high = 0;
+    T tau_low = row.at[0]->tau, tau_high = tau_low;
+    for (std::size_t k = 0; k < count; ++k) {
+        const T w = child.weights[k], kappa = kappa_of[k], tau = row.at[k]->tau;
+        bending += w * kappa;
+        torsion += w * kappa * tau;
+        plain_tau += w * tau;
+        kappa_high = std::max(kappa_high, kappa);
+        tau_low = std::min(tau_low, tau);
+        tau_high = std::max(tau_high, tau);
+        if (normal[k].dot(side) < 0) {
+            normal[k] = -normal[k];
+            kappa_of[k] = -kappa;
+        }
+        kappa_low = std::min(kappa_low, kappa);
         const Vec3T<T> flat = across<T>(normal[k], tangent);
-        bend += w * at[k]->kappa * flat;
+        bend += w * kappa_of[k] * flat;
         normals += w * flat;
-        bending += share;
-        torsion += share * at[k]->tau;
-        turning += share * at[k]->turn;
-        plain_tau += w * at[k]->tau;
-        plain_turn += w * at[k]->turn;
-        kappa_low = std::min(kappa_low, at[k]->kappa);
-        kappa_high = std::max(kappa_high, at[k]->kappa);
-        tau_low = std::min(tau_low, at[k]->tau);
-        tau_high = std::max(tau_high, at[k]->tau);
     }
     // Guides that do not bend have no say in torsion; where none bends, all have.
-    constexpr T kNone = T(1e-12);
-    const T mean_tau = (torsion + kNone * plain_tau) / (bending + kNone);
-    const T mean_turn = (turning + kNone * plain_turn) / (bending + kNone);
+    const T mean_tau = (torsion + kNothing<T> * plain_tau) / (bending + kNothing<T>);
 
-    // |kappa~| = |sum w kappa P N| / |sum w P N|. kappa~ is negative where N~, carried on
-    // as the guides' normals are, points away from the bend.
+    // kappa~ = |sum w kappa P N| / |sum w P N|
     const T size = bend.norm();
-    T kappa = (size + kSteady<T> * bending) / (normals.norm() + kSteady<T>);
-    const bool away = kappa_low < 0 && (kappa_high <= 0 || bend.dot(normals) < 0);
-    kappa = std::clamp(away ? -kappa : kappa, kappa_low, kappa_high);
+    const T printed = (size + kSteady<T> * bending) / (normals.norm() + kSteady<T>);
+    const T kappa = std::clamp(printed, kappa_low, kappa_high);
 
-    // kappa~ tau~ = sum w kappa tau (B.B~) / |sum w (B.B~)|, with N~ along the bend.
+    // kappa~ tau~ = sum w kappa tau (B.B~) / |sum w (B.B~)|, with N~ along the bend. The
+    // quotient by kappa~ leans on the mean as kappa~ goes to zero.
     T tau = mean_tau;
     if (size > 0) {
-        const Vec3T<T> n = away ? Vec3T<T>(bend / -size) : Vec3T<T>(bend / size);
-        const Vec3T<T> binormal = tangent.cross(n);
+        const Vec3T<T> binormal = tangent.cross(bend) / size;
         T product = 0, binormals = 0;
-        for (std::size_t k = 0; k < k_count; ++k) {
-            const Vec3T<T> own = (child.to_space[k] * at[k]->tangent).cross(normal[k]);
+        for (std::size_t k = 0; k < count; ++k) {
+            const Vec3T<T> own =
+                (child.to_space[k] * row.at[k]->tangent).cross(normal[k]);
             const T along = child.weights[k] * own.dot(binormal);
-            product += along * at[k]->kappa * at[k]->tau;
+            product += along * kappa_of[k] * row.at[k]->tau;
             binormals += along;
         }
         const T kappa_tau = (product + kSteady<T> * kappa * mean_tau) /
                             (std::abs(binormals) + kSteady<T>);
-        // A quotient by kappa~ that leans on the mean as kappa~ goes to zero.
-        const T floor = T(1e-3) * bending, weight = floor * floor + kNone * kNone;
+        const T floor = T(1e-3) * bending + kNothing<T>, weight = floor * floor;
         tau = (kappa_tau * kappa + weight * mean_tau) / (kappa * kappa + weight);
     }
-    return {kappa, std::clamp(tau, tau_low, tau_high), mean_turn};
+    return {kappa, std::clamp(tau, tau_low, tau_high)};
 }
 
 }  // namespace
@@ -147,14 +194,19 @@ template <class T>
 void blend_option1(const Child<T>& child, const GuideProfiles<T>& guides,
                    std::span<HelixState<T>> states) {
     const T ds = child.length / T(guides.count);
-    HelixState<T> state{root_frame_of(child, guides), Vec3T<T>::Zero()};
+    Row<T> row(child, guides, 0);
+    HelixState<T> state{root_frame_of(child, row), Vec3T<T>::Zero()};
     states[0] = state;
     T angle = 0;  // of N~ from n1: the turns so far
     for (int i = 0; i < guides.count; ++i) {
-        const BlendedInterval<T> blended = blended_interval(child, guides, i);
-        angle += blended.turn;
-        const Vec3T<T> u(blended.tau, -blended.kappa * std::sin(angle),
-                         blended.kappa * std::cos(angle));
+        if (i > 0) {
+            const Row<T> next(child, guides, i);
+            angle += turn_at_joint(child, guides, row, next, i);
+            row = next;
+        }
+        const Rates<T> rates = blended_rates(child, row);
+        const Vec3T<T> u(rates.tau, -rates.kappa * std::sin(angle),
+                         rates.kappa * std::cos(angle));
         advance<T>(state, u, ds);
         orthonormalize<T>(state.frame);
         states[i + 1] = state;

@@ -4,7 +4,8 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
+#include <limits>
 
 #include "procedural/check_strand.h"
 
@@ -12,38 +13,25 @@ namespace lancret {
 
 namespace {
 
-/// Curvature (signed as its normal is carried) and torsion of one guide at one place.
+/// Curvature and torsion of one guide at one place.
 struct GuideValue {
     double kappa, tau;
 };
 
-/// Values of every guide in the middle of each interval, straight from the segments. The
-/// sign of kappa changes where the normal would turn by more than a right angle [TW99,
-/// Sec. 4.2].
+/// Values of every guide in the middle of each interval, straight from the segments.
 std::vector<GuideValue> guide_values(const Guides& guides, int intervals) {
-    std::vector<GuideValue> out(guides.size() * intervals);
+    std::vector<GuideValue> out;
+    out.reserve(guides.size() * intervals);
     for (std::size_t g = 0; g < guides.size(); ++g) {
         const auto lengths = guides.lengths_of(g);
         const auto u = guides.curvatures_of(g);
         const double total = guide_length(guides, g);
-        std::vector<double> sign(u.size(), 1);
-        Eigen::Vector2d normal(0, 0);
-        for (std::size_t q = 0; q < u.size(); ++q) {
-            // kappa N = (k2, -k1) in (n1, n2), which a segment carries along.
-            const Eigen::Vector2d bend(u[q].z(), -u[q].y());
-            if (bend.norm() * total / intervals <= 1e-9) {
-                if (q > 0) sign[q] = sign[q - 1];
-                continue;
-            }
-            sign[q] = normal.dot(bend) < 0 ? -1 : 1;
-            normal = sign[q] * bend.normalized();
-        }
         double end = lengths[0];
         std::size_t q = 0;
         for (int i = 0; i < intervals; ++i) {
             const double middle = total * (i + 0.5) / intervals;
             while (q + 1 < u.size() && middle > end) end += lengths[++q];
-            out[g * intervals + i] = {sign[q] * std::hypot(u[q].y(), u[q].z()), u[q].x()};
+            out.push_back({std::hypot(u[q].y(), u[q].z()), u[q].x()});
         }
     }
     return out;
@@ -73,12 +61,11 @@ bool inside_hull(std::span<const MeasuredInterval> measured,
             const double room = slack + 1e-5 * std::max(std::abs(low), std::abs(high));
             return x >= low - room && x <= high + room;
         };
-        // The strand shows |kappa|; either sign of it may be the one in the hull.
-        const bool kappa_fits = inside(m.kappa, kappa_low, kappa_high) ||
-                                inside(-m.kappa, kappa_low, kappa_high);
-        // Where nothing bends, single precision cannot tell the axis and so not the
-        // torsion; rotations of half a turn and more come back as the other way round.
-        const bool tau_shows = m.angle < 3;
+        const bool kappa_fits = inside(m.kappa, kappa_low, kappa_high);
+        // A rotation of half a turn or more comes back as the other way round: such
+        // intervals are too long to tell.
+        const double most_tau = std::max(std::abs(tau_low), std::abs(tau_high));
+        const bool tau_shows = std::hypot(most_tau, m.kappa) * m.length < 3;
         if (!kappa_fits || (tau_shows && !inside(m.tau, tau_low, tau_high))) return false;
     }
     return true;

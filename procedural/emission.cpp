@@ -12,7 +12,12 @@ namespace lancret {
 
 namespace {
 
-constexpr int kBetween = 4;  ///< places measured in each interval
+constexpr int kBetween = 2;  ///< places measured in each interval
+
+/// The first children are measured, a fair sample since roots are spread evenly, against
+/// a share of the tolerance, since the rest hold a few that are worse.
+constexpr std::size_t kSample = 8192;
+constexpr double kSampleShare = 0.6;
 
 /// Radians that an interval may turn: below half a turn, so that a strand can be told
 /// from its places and frames.
@@ -70,7 +75,7 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
         turn = std::max(turn, guides.curvatures[i].norm() * guides.segment_lengths[i]);
     }
     int n = guides.segments * std::max(1, int(std::ceil(turn / kMostTurn)));
-    const std::size_t sample = std::min<std::size_t>(binding.size(), 1024);
+    const std::size_t sample = std::min(binding.size(), kSample);
     using Range = tbb::blocked_range<std::size_t>;
     for (;; n += guides.segments) {
         const auto profiles = guide_profiles<float>(guides, n);
@@ -86,7 +91,7 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
                 return worst;
             },
             [](double a, double b) { return std::max(a, b); });
-        if (n >= most || farthest <= tolerance) return n;
+        if (n >= most || farthest <= kSampleShare * tolerance) return n;
     }
 }
 

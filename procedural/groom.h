@@ -51,7 +51,7 @@ struct Groom {
     std::uint64_t seed = 0;
     BindSettings bind;
     ExpandSettings expand;
-    double tolerance = 0.01;       ///< cm, of the emitted curves from the strands
+    double tolerance = 0.03;       ///< cm, of the emitted curves from the strands
     std::optional<int> intervals;  ///< a strand; none: by tolerance
 };
 

@@ -2,7 +2,8 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
-#include <numbers>
+#include <algorithm>
+#include <cmath>
 
 #include "guides/super_helix.h"
 
@@ -82,7 +83,6 @@ GuideProfiles<T> guide_profiles(const Guides& guides, int count) {
     GuideProfiles<T> out;
     out.count = count;
     out.intervals.resize(size * n);
-    out.root_normals.resize(size);
     out.root_frames.resize(size);
     out.lengths.resize(size);
     out.positions.resize(size * (n + 1));
@@ -91,25 +91,20 @@ GuideProfiles<T> guide_profiles(const Guides& guides, int count) {
         const Walk path = walk(guides, g, count);
         const double length = guide_length(guides, g);
         const std::vector<double> angles = carried_angles(path.u, length / count);
-        double angle =
-            angles[0];  // of N from n1, folded so that it never jumps over pi/2
-        double sign = 1;
         for (std::size_t i = 0; i < n; ++i) {
-            const double raw = angles[i] + (sign < 0 ? std::numbers::pi : 0);
-            double turn = std::remainder(raw - angle, 2 * std::numbers::pi);
-            if (std::abs(turn) > std::numbers::pi / 2) {
-                sign = -sign;
-                turn = std::remainder(turn + std::numbers::pi, 2 * std::numbers::pi);
-            }
-            angle += turn;
-            const Mat3& middle = path.states[2 * i + 1].frame;
-            const Vec3 normal =
-                std::cos(angle) * middle.col(1) + std::sin(angle) * middle.col(2);
-            if (i == 0)
-                out.root_normals[g] = Vec3(0, std::cos(angle), std::sin(angle)).cast<T>();
-            out.intervals[g * n + i] = {
-                T(sign * std::hypot(path.u[i].y(), path.u[i].z())), T(path.u[i].x()),
-                T(i == 0 ? 0.0 : turn), middle.col(0).cast<T>(), normal.cast<T>()};
+            const auto normal = [&](std::size_t place) -> Vec3T<T> {
+                const Mat3& frame = path.states[place].frame;
+                return (std::cos(angles[i]) * frame.col(1) +
+                        std::sin(angles[i]) * frame.col(2))
+                    .template cast<T>();
+            };
+            const Vec3& u = path.u[i];
+            out.intervals[g * n + i] = {T(std::hypot(u.y(), u.z())),
+                                        T(u.x()),
+                                        path.states[2 * i + 1].frame.col(0).cast<T>(),
+                                        normal(2 * i + 1),
+                                        normal(2 * i),
+                                        normal(2 * i + 2)};
         }
         for (std::size_t i = 0; i <= n; ++i) {
             out.positions[g * (n + 1) + i] = path.states[2 * i].position.cast<T>();

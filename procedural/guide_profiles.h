@@ -9,19 +9,19 @@
 namespace lancret {
 
 /// One interval of a guide, s / L from i / n to (i + 1) / n. Within it the guide is one
-/// helix.
-///
-/// The Frenet normal of a Super-Helix turns at once about the tangent where two segments
-/// meet, by an angle that belongs to the torsion as a whole: `turn` keeps it. N is
-/// carried through inflections and straight stretches: it never turns by more than a
-/// right angle, and kappa takes the sign instead [TW99, Sec. 4.2].
+/// helix, and its Frenet frame is the carried frame turned about the tangent by a
+/// constant angle. The normal of a Super-Helix jumps where two segments meet, so it is
+/// kept at both ends: what it turns by between an interval's end and the next one's start
+/// belongs to the torsion. Where an interval is straight, N is carried on from the
+/// nearest that is not.
 template <class T>
 struct ProfileInterval {
-    T kappa;  ///< signed, 1/cm
-    T tau;    ///< 1/cm, positive for a right-handed helix
-    T turn;   ///< of N about T at the start of the interval, radians in [-pi/2, pi/2]
+    T kappa;           ///< 1/cm, >= 0
+    T tau;             ///< 1/cm, positive for a right-handed helix
     Vec3T<T> tangent;  ///< T in the middle of the interval, in the guide's root frame
     Vec3T<T> normal;   ///< N there
+    Vec3T<T> normal_before;  ///< N at the interval's start
+    Vec3T<T> normal_after;   ///< N at its end
 };
 
 /// Profiles of any number of guides. Interval i of guide g is intervals[g * count + i];
@@ -30,11 +30,10 @@ template <class T>
 struct GuideProfiles {
     int count = 0;  ///< intervals of each guide
     std::vector<ProfileInterval<T>> intervals;
-    std::vector<Vec3T<T>> root_normals;  ///< [guides], N at the root, in the root frame
-    std::vector<Mat3T<T>> root_frames;   ///< [guides], in space
-    std::vector<T> lengths;              ///< [guides], cm
-    std::vector<Vec3T<T>> positions;     ///< from the root, in the root frame, cm
-    std::vector<Vec3T<T>> tangents;      ///< in the root frame
+    std::vector<Mat3T<T>> root_frames;  ///< [guides], in space
+    std::vector<T> lengths;             ///< [guides], cm
+    std::vector<Vec3T<T>> positions;    ///< from the root, in the root frame, cm
+    std::vector<Vec3T<T>> tangents;     ///< in the root frame
 
     std::size_t size() const { return lengths.size(); }
 };

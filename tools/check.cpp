@@ -18,6 +18,7 @@ struct CheckOptions {
     GroomOptions groom;
     std::string json;
     CheckTolerances tolerances;
+    std::optional<double> distance;  ///< none: the groom's own tolerance
 };
 
 int check_groom(const CheckOptions& options) {
@@ -27,9 +28,11 @@ int check_groom(const CheckOptions& options) {
     const Curves curves = expand(generator.binding, generator.profiles, job.groom.expand);
     const double expand_seconds = expand_watch.lap();
     Stopwatch check_watch;
+    CheckTolerances tolerances = options.tolerances;
+    tolerances.distance = options.distance.value_or(job.groom.tolerance);
     const CheckReport report =
         check(generator.binding, generator.source.guides, generator.profiles, curves,
-              job.groom.expand.blend, job.groom.bind.length_scale, options.tolerances);
+              job.groom.expand.blend, job.groom.bind.length_scale, tolerances);
     const double check_seconds = check_watch.lap();
     fmt::print("{}, blend {}\n{}", job.groom.name, blend_name(job.groom.expand.blend),
                check_table(report));
@@ -64,7 +67,12 @@ void add_check(CLI::App& app, int& exit_code) {
     tolerance("--orthogonality", t.orthogonality, "of |R^T R - I|");
     tolerance("--length", t.length, "relative, of the strand");
     tolerance("--emitted-length", t.emitted_length, "relative, of the emitted curve");
-    tolerance("--distance", t.distance, "cm, of the emitted curve from the strand");
+    command
+        ->add_option(
+            "--distance", options->distance,
+            "cm, of the emitted curve from the strand; the groom's own by default")
+        ->type_name("X")
+        ->check(CLI::NonNegativeNumber);
     command->footer(
         "Exit code 1 when a strand goes beyond a tolerance.\nExamples:\n"
         "  lancret check examples/made_groom.toml --json report.json\n"

@@ -1,0 +1,53 @@
+# A thin wrapper over CMake's presets. PRESET=dev|release|ci chooses one; JOBS how many compile at
+# once.
+PRESET ?= release
+JOBS ?= $(shell nproc)
+BUILD := build/$(PRESET)
+LANCRET := $(BUILD)/tools/lancret
+SOURCES := $(shell git ls-files '*.h' '*.cpp' 2>/dev/null)
+
+.PHONY: all preview test test-slow bench format format-check lint deps clean
+
+all: deps
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
+	cmake --build --preset $(PRESET) --parallel $(JOBS)
+
+# Installs what is missing; says and does nothing where all is there.
+deps:
+	@scripts/install-deps
+
+# The main job on a groom that Lancret makes by itself: a picture and a proof in out/.
+preview: deps
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret
+	@mkdir -p out
+	$(LANCRET) preview examples/made_groom.toml -o out/preview.png --stats out/preview.json
+	$(LANCRET) check examples/made_groom.toml --json out/check.json
+	@echo "The picture is out/preview.png, the proof out/check.json."
+
+test: deps
+	cmake --preset $(PRESET) -DLANCRET_TESTS=ON
+	cmake --build --preset $(PRESET) --parallel $(JOBS)
+	ctest --preset $(PRESET) --parallel $(JOBS) --label-exclude slow
+
+test-slow: deps
+	cmake --preset $(PRESET) -DLANCRET_TESTS=ON
+	cmake --build --preset $(PRESET) --parallel $(JOBS)
+	ctest --preset $(PRESET) --label-regex slow
+
+bench: deps
+	cmake --preset $(PRESET) -DLANCRET_BENCH=ON
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret_bench
+	$(BUILD)/bench/lancret_bench --benchmark_counters_tabular=true
+
+format:
+	clang-format -i $(SOURCES)
+
+format-check:
+	clang-format --dry-run --Werror $(SOURCES)
+
+lint: all
+	clang-tidy -p $(BUILD) --quiet $(filter %.cpp,$(SOURCES))
+
+clean:
+	rm -rf build out
