@@ -128,7 +128,7 @@ Rates<T> blended_rates(const Child<T>& child, const Row<T>& row) {
     // the guide that bends most, so that guides on either side of an inflection cancel in
     // kappa, not in N.
     Vec3T<T> normal[kMaxNeighbours];
-    T kappa_of[kMaxNeighbours];
+    T kappa_of[kMaxNeighbours] = {};
     std::size_t first = 0;
     for (std::size_t k = 0; k < count; ++k) {
         normal[k] = child.to_space[k] * row.at[k]->normal;
