@@ -85,9 +85,11 @@ TEST(GuideProfiles, TheNormalIsCarriedOverStraightStretches) {
     Guides guides;
     add_guide(guides, {{0, 0, 0}, {0, 0.3, 0}, {0, 0, 0}, {0, -0.3, 0}}, 8);
     const auto profiles = guide_profiles<double>(guides, 8);
-    // T' = -k1 n2: N is along n2, which lies still, from the root on.
+    // T' = -k1 n2: N is along n2, from the root on, in the plane that the strand bends
+    // in.
     for (const auto& interval : profiles.intervals) {
-        EXPECT_NEAR(std::abs(interval.normal.z()), 1, 1e-12);
+        EXPECT_NEAR(interval.normal.y(), 0, 1e-12);
+        EXPECT_NEAR(interval.normal.norm(), 1, 1e-12);
     }
     // From the root to the inflection to one side.
     for (int i = 1; i < 4; ++i) {
