@@ -119,6 +119,16 @@ Job read_job(const GroomOptions& options) {
                                      options.input.string()));
     }
     lay_over(options, job.groom);
+    if (job.groom.strands_file.extension() == ".h5") {
+        const auto refuse = [&](const char* option) {
+            throw InputError(
+                fmt::format("{}: cannot change the guides that {} holds; fit new ones",
+                            option, job.groom.strands_file.string()));
+        };
+        if (!options.guides.empty()) refuse("--guides");
+        if (options.segments) refuse("--segments");
+        if (!options.basis.empty()) refuse("--basis");
+    }
     return job;
 }
 
