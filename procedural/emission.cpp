@@ -1,11 +1,13 @@
 #include "procedural/emission.h"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "guides/errors.h"
 #include "procedural/expand.h"
 
 namespace lancret {
@@ -23,6 +25,9 @@ constexpr double kSampleShare = 0.6;
 /// from its places and frames.
 constexpr double kMostTurn = 2;
 
+/// Radians that a segment may turn at all.
+constexpr double kMostTurnOfSegment = 1000;
+
 /// The emitted curve at parameter t in [0, 1] of segment j.
 Vec3f emitted(CurveBasis basis, std::span<const Point4f> points,
               std::span<const Point4f> tangents, std::size_t j, float t) {
@@ -37,6 +42,17 @@ Vec3f emitted(CurveBasis basis, std::span<const Point4f> points,
             (4 - 6 * r * r + 3 * r * r * r) * points[j + 2].xyz() +
             t * t * t * points[j + 3].xyz()) /
            6;
+}
+
+/// How much longer a child is than the weighted length of its guides: the same for all.
+double longer_than_guides(const Binding& binding, const Guides& guides) {
+    if (binding.size() == 0) return 1;
+    double length = 0;
+    for (int k = 0; k < binding.neighbours; ++k) {
+        if (!(binding.weights[k] > 0)) continue;
+        length += double(binding.weights[k]) * guide_length(guides, binding.guides[k]);
+    }
+    return binding.lengths[0] / length;
 }
 
 }  // namespace
@@ -73,6 +89,15 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
     double turn = 0;
     for (std::size_t i = 0; i < guides.curvatures.size(); ++i) {
         turn = std::max(turn, guides.curvatures[i].norm() * guides.segment_lengths[i]);
+    }
+    turn *= std::max(1.0, longer_than_guides(binding, guides));
+    // Also keeps the count of intervals far from what an int can hold.
+    if (!(turn <= kMostTurnOfSegment)) {
+        throw InputError(
+            fmt::format("a segment turns by {:.3g} radian, more than any hair ({}): fit "
+                        "more segments "
+                        "or take a smaller length_scale",
+                        turn, kMostTurnOfSegment));
     }
     int n = guides.segments * std::max(1, int(std::ceil(turn / kMostTurn)));
     const std::size_t sample = std::min(binding.size(), kSample);

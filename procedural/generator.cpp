@@ -1,5 +1,8 @@
 #include "procedural/generator.h"
 
+#include <fmt/format.h>
+
+#include "guides/errors.h"
 #include "procedural/child_roots.h"
 #include "procedural/emission.h"
 #include "procedural/stopwatch.h"
@@ -21,17 +24,31 @@ Generator make_generator(const Groom& groom, const StageCallback& stage) {
                               : source.whole_scalp
                                   ? everywhere
                                   : growth_of_spacing(source.grown_roots);
-        roots = roots_on_scalp(*source.scalp, source.grown_roots, groom.strands,
-                               groom.seed, growth);
+        try {
+            roots = roots_on_scalp(*source.scalp, source.grown_roots, groom.strands,
+                                   groom.seed, growth);
+        } catch (const InputError&) {
+            throw InputError(fmt::format(
+                "{}: has hardly a place within {:.3g} cm of the groom's strands, where "
+                "hair may grow; their roots are up to {:.3g} cm away from it. Are they "
+                "in "
+                "one place and one unit? [scalp] growth_distance sets the reach",
+                groom.scalp_file.string(), growth, source.largest_snap));
+        }
     } else {
         roots = own_roots(source.grown_roots, source.grown_tangents, groom.strands,
                           groom.seed, groom.name);
     }
     out.binding = bind(std::move(roots), source.guides, source.normals, groom.bind);
-    const int intervals =
-        groom.intervals ? *groom.intervals
+    int intervals = 0;
+    try {
+        intervals = groom.intervals
+                        ? *groom.intervals
                         : intervals_within(out.binding, source.guides, groom.expand.blend,
                                            groom.tolerance, groom.expand.basis);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", groom.name, error.what()));
+    }
     out.profiles = guide_profiles<float>(source.guides, intervals);
     out.seconds.bind = watch.lap();
     return out;

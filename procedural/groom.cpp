@@ -36,6 +36,12 @@ void read_made(const TomlTable& made, MadeGroomSettings& out) {
     set(out.seed, made.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     set(out.shortest, made.number("shortest", 0.1, 200));
     set(out.longest, made.number("longest", 0.1, 200));
+    if (out.shortest > out.longest) {
+        made.fail(made.has("shortest") ? "shortest" : "longest",
+                  fmt::format("the shortest strand, {} cm, must not be longer than the "
+                              "longest, {} cm",
+                              out.shortest, out.longest));
+    }
     set(out.curl_radius, made.number("curl_radius", 0, 10));
     set(out.curl_wavelength, made.number("curl_wavelength", 0.1, 100));
     set(out.frizz, made.number("frizz", 0, 10));

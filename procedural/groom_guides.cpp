@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "guides/closest_point.h"
+#include "guides/coordinates.h"
 #include "guides/errors.h"
 #include "guides/farthest_points.h"
 #include "guides/guide_cache.h"
@@ -54,6 +55,14 @@ struct LoadedGroom {
     std::optional<TriangleMesh> scalp, body;  ///< of a groom that Lancret makes
 };
 
+/// Places in a file are within bounds, but may leave them with the scene's units.
+void check_places(const std::vector<Vec3f>& places, const std::filesystem::path& file) {
+    if (std::ranges::all_of(places, is_place)) return;
+    throw InputError(fmt::format(
+        "{}: metres_per_unit of [scene] puts it beyond {:.0e} cm, which is no place",
+        file.string(), kLargestCoordinate));
+}
+
 LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
     LoadedGroom out;
     if (groom.strands_file.empty()) {
@@ -75,6 +84,7 @@ LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
     const float scale = float(groom.scene.centimetres_per_unit());
     if (scale != 1 && !groom.strands_file.empty()) {
         for (Vec3f& p : out.strands.points) p *= scale;
+        check_places(out.strands.points, groom.strands_file);
         for (float& t : out.strands.thickness) t *= scale;
         out.strands.default_thickness *= scale;
     }
@@ -86,7 +96,13 @@ std::optional<Scalp> load_scalp(const Groom& groom) {
     TriangleMesh mesh = read_obj(groom.scalp_file);
     const float scale = float(groom.scene.centimetres_per_unit());
     for (Vec3f& p : mesh.positions) p *= scale;
-    return make_scalp(std::move(mesh));
+    check_places(mesh.positions, groom.scalp_file);
+    Scalp out = make_scalp(std::move(mesh));
+    if (!(out.area > 0)) {
+        throw InputError(fmt::format("{}: a mesh without area is no scalp",
+                                     groom.scalp_file.string()));
+    }
+    return out;
 }
 
 /// Guides from a cache: they are the groom.

@@ -85,10 +85,17 @@ TomlTable TomlTable::from_text(std::string_view text, std::string name) {
 }
 
 TomlTable TomlTable::from_file(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        throw InputError(fmt::format("{}: is a folder, not a groom", path.string()));
+    }
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(fmt::format("{}: cannot be opened", path.string()));
     std::ostringstream text;
-    text << file.rdbuf();
+    if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+    if (file.bad() || text.fail()) {
+        throw InputError(fmt::format("{}: cannot be read", path.string()));
+    }
     TomlTable out = from_text(text.str(), path.string());
     auto document = std::const_pointer_cast<Document>(out.node_->document);
     document->folder = path.parent_path();

@@ -40,8 +40,9 @@ Camera framed(const Eigen::AlignedBox3f& box, const Framing& framing) {
     if (box.isEmpty() || !box.min().allFinite() || !box.max().allFinite())
         throw std::invalid_argument("there is nothing to frame");
     const Vec3f centre = box.center(), view = framing.view.normalized();
+    // About the origin: far from it a float has no room for a step of one.
     Camera camera =
-        look_at(centre - view, centre, framing.up, framing.field_of_view, framing.aspect);
+        look_at(-view, Vec3f::Zero(), framing.up, framing.field_of_view, framing.aspect);
     float distance = 0;
     for (int i = 0; i < 8; ++i) {
         const Vec3f corner = camera.frame.transpose() *

@@ -1,6 +1,10 @@
 #include "render_test/preview_settings.h"
 
+#include <fmt/format.h>
+
 #include <numbers>
+
+#include "guides/coordinates.h"
 
 namespace lancret {
 
@@ -22,17 +26,30 @@ std::optional<Vec3f> single(const std::optional<Vec3>& v) {
 std::optional<Vec3f> colour(const TomlTable& table, std::string_view key, double most) {
     const auto v = table.vector(key);
     if (v && !(v->minCoeff() >= 0 && v->maxCoeff() <= most)) {
-        table.fail(key, "a colour is three numbers from 0 to " +
-                            std::string(most == 1 ? "1" : "the brightest"));
+        table.fail(
+            key, fmt::format("'{}' is a colour: three numbers from 0 to {}", key, most));
     }
     return single(v);
 }
 
-/// A direction: three numbers, not all zero.
+/// A direction: three numbers, not all zero; of length one.
 std::optional<Vec3f> direction(const TomlTable& table, std::string_view key) {
     const auto v = table.vector(key);
-    if (v && v->norm() < 1e-12) table.fail(key, "a direction must not be zero");
-    return single(v);
+    if (!v) return std::nullopt;
+    if (v->stableNorm() < 1e-12) {
+        table.fail(key, fmt::format("'{}' is a direction and must not be zero", key));
+    }
+    return Vec3f(v->stableNormalized().cast<float>());
+}
+
+/// A place, cm.
+std::optional<Vec3f> place(const TomlTable& table, std::string_view key) {
+    const auto v = single(table.vector(key));
+    if (v && !is_place(*v)) {
+        table.fail(key, fmt::format("'{}' is a place and must lie within {:.0e} cm", key,
+                                    kLargestCoordinate));
+    }
+    return v;
 }
 
 void read_material(const TomlTable& material, PreviewSettings& out) {
@@ -52,11 +69,17 @@ void read_material(const TomlTable& material, PreviewSettings& out) {
 }
 
 void read_camera(const TomlTable& camera, PreviewSettings& out) {
-    out.camera_position = single(camera.vector("position"));
-    out.camera_target = single(camera.vector("target"));
+    out.camera_position = place(camera, "position");
+    out.camera_target = place(camera, "target");
     out.view = direction(camera, "view");
     if (out.camera_position && out.view) {
         camera.fail("view", "a camera has a 'position' or a 'view', not both");
+    }
+    if (out.camera_target && !out.camera_position) {
+        camera.fail("target", "a 'target' needs a camera's 'position'");
+    }
+    if (out.camera_position && out.camera_target == out.camera_position) {
+        camera.fail("target", "'target' must not be the camera's 'position'");
     }
     if (const auto angle = camera.number("field_of_view_degrees", 1, 150)) {
         out.field_of_view = float(*angle * kDegree);
@@ -72,13 +95,15 @@ void read_light(const TomlTable& light, const Vec3f& up, PreviewSettings& out) {
     const auto sun = direction(light, "key_direction");
     const auto irradiance = colour(light, "key", 1e6);
     const auto radius = light.number("key_radius_degrees", 0.03, 80);
-    if (sky && file) light.fail("sky", "light comes from a 'sky' or an 'environment', not both");
+    if (sky && file)
+        light.fail("sky", "light comes from a 'sky' or an 'environment', not both");
     if (!sky && !file && !sun && !irradiance) return;
     Environment environment(Vec3f(strength * sky.value_or(Vec3f::Constant(0.4f))));
     if (file) {
         ColourMap map = read_colour_map(*file);
         for (Vec3f& texel : map.texels) texel *= strength;
-        environment = Environment(std::move(map), up, float(rotation.value_or(0) * kDegree));
+        environment =
+            Environment(std::move(map), up, float(rotation.value_or(0) * kDegree));
     }
     std::vector<DistantLight> distant;
     if (sun || irradiance) {

@@ -21,8 +21,17 @@ struct CheckOptions {
     std::optional<double> distance;  ///< none: the groom's own tolerance
 };
 
+std::string not_negative(const std::string& text) {
+    double value = 0;
+    // A NaN is no tolerance either.
+    if (CLI::detail::lexical_cast(text, value) && value >= 0) return {};
+    return fmt::format("'{}' is no tolerance; give a number from 0 on", text);
+}
+
 int check_groom(const CheckOptions& options) {
     const Job job = read_job(options.groom);
+    check_output(options.json, {}, options.groom, job.groom);
+    check_output(options.groom.stats, {}, options.groom, job.groom);
     const Generator generator = run_generator(job.groom);
     Stopwatch expand_watch;
     const Curves curves = expand(generator.binding, generator.profiles, job.groom.expand);
@@ -56,13 +65,15 @@ void add_check(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand(
         "check", "Prove every strand: frames, length, hull, root, bound");
     add_groom_options(*command, options->groom);
-    command->add_option("--json", options->json, "write the report")->type_name("FILE");
+    command->add_option("--json", options->json, "write the report")
+        ->type_name("FILE")
+        ->check(not_empty());
     CheckTolerances& t = options->tolerances;
     const auto tolerance = [&](const char* name, double& value, const char* what) {
         command->add_option(name, value, what)
             ->type_name("X")
             ->capture_default_str()
-            ->check(CLI::NonNegativeNumber);
+            ->check(not_negative);
     };
     tolerance("--orthogonality", t.orthogonality, "of |R^T R - I|");
     tolerance("--length", t.length, "relative, of the strand");

@@ -2,10 +2,18 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <limits>
+
+#include "guides/atomic_file.h"
 #include "guides/errors.h"
 #include "tools/progress.h"
+#include "tools/quiet_stderr.h"
 
 namespace lancret {
 
@@ -15,6 +23,22 @@ std::vector<std::string> blend_names() {
     std::vector<std::string> out;
     for (const BlendName& entry : kBlendNames) out.emplace_back(entry.name);
     return out;
+}
+
+/// All of `text` as a whole number of type T, without a sign that T has not.
+template <class T>
+std::optional<T> whole_number(std::string_view text) {
+    T value{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end) return std::nullopt;
+    return value;
+}
+
+std::string is_seed(const std::string& text) {
+    if (whole_number<std::uint64_t>(text)) return {};
+    return fmt::format("'{}' is no seed; give a whole number from 0 to {}", text,
+                       std::numeric_limits<std::uint64_t>::max());
 }
 
 /// The groom that a file of strands or guides is by itself.
@@ -45,13 +69,16 @@ void add_groom_options(CLI::App& command, GroomOptions& options) {
         .add_option("groom", options.input,
                     "a groom (.toml), strands (.hair) or guides (.h5)")
         ->required()
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(not_empty());
     command.add_option("--scalp", options.scalp, "mesh that the hair grows on")
-        ->type_name("OBJ");
+        ->type_name("OBJ")
+        ->check(not_empty());
     command
         .add_option("--guides", options.guides,
                     "how many of the groom's strands become guides")
-        ->type_name("N|P%");
+        ->type_name("N|P%")
+        ->check(not_empty());
     command.add_option("--strands", options.strands, "children to grow")
         ->type_name("N")
         ->check(CLI::Range(1u, 100'000'000u));
@@ -68,10 +95,12 @@ void add_groom_options(CLI::App& command, GroomOptions& options) {
         ->type_name("N")
         ->check(CLI::Range(1, 1000));
     command.add_option("--seed", options.seed, "of all that is drawn by chance")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(is_seed);
     command
         .add_option("--stats", options.stats, "write what was done and how long it took")
-        ->type_name("JSON");
+        ->type_name("JSON")
+        ->check(not_empty());
 }
 
 Job read_job(const GroomOptions& options) {
@@ -80,6 +109,7 @@ Job read_job(const GroomOptions& options) {
     if (extension == ".toml") {
         const TomlTable toml = TomlTable::from_file(options.input);
         job.groom = read_groom(toml, options.input.string());
+        const QuietStderr quiet;  // the textures' errors are told by ours
         job.preview = read_preview_settings(toml, job.groom.scene.up.cast<float>());
         toml.finish();
     } else if (extension == ".hair" || extension == ".h5") {
@@ -89,13 +119,68 @@ Job read_job(const GroomOptions& options) {
                                      options.input.string()));
     }
     lay_over(options, job.groom);
+    if (job.groom.strands_file.extension() == ".h5") {
+        const auto refuse = [&](const char* option) {
+            throw InputError(
+                fmt::format("{}: cannot change the guides that {} holds; fit new ones",
+                            option, job.groom.strands_file.string()));
+        };
+        if (!options.guides.empty()) refuse("--guides");
+        if (options.segments) refuse("--segments");
+        if (!options.basis.empty()) refuse("--basis");
+    }
     return job;
 }
 
+void check_output(const std::filesystem::path& output,
+                  std::initializer_list<std::string_view> extensions,
+                  const GroomOptions& options, const Groom& groom) {
+    if (output.empty()) return;
+    const std::string extension = output.extension().string();
+    if (extensions.size() > 0 &&
+        std::ranges::find(extensions, extension) == extensions.end()) {
+        throw InputError(fmt::format("{}: is written as {} only", output.string(),
+                                     fmt::join(extensions, " or ")));
+    }
+    for (const auto& input : {options.input, groom.strands_file, groom.scalp_file}) {
+        std::error_code missing;  // is no reason to complain here
+        if (std::filesystem::equivalent(output, input, missing)) {
+            throw InputError(fmt::format(
+                "{}: is what the groom is read from; give the output another name",
+                output.string()));
+        }
+    }
+    const PendingFile file(output);
+    errno = 0;
+    if (!std::ofstream(file.temporary())) {
+        throw InputError(fmt::format("{}: cannot be written: {}", output.string(),
+                                     errno ? std::strerror(errno) : "no file there"));
+    }
+}
+
+CLI::Validator not_empty() {
+    return {[](const std::string& text) {
+                return std::string(text.empty() ? "must not be empty" : "");
+            },
+            ""};
+}
+
 Generator run_generator(const Groom& groom) {
+    const auto check_points = [&](int intervals) {
+        const std::uint64_t points = std::uint64_t(groom.strands) *
+                                     control_points_of(groom.expand.basis, intervals);
+        if (points > std::numeric_limits<std::uint32_t>::max()) {
+            throw InputError(fmt::format(
+                "{}: {} strands of {} intervals have {} points, more than 2^32: ask for "
+                "fewer by --strands or --intervals",
+                groom.name, groom.strands, intervals, points));
+        }
+    };
+    check_points(groom.intervals.value_or(1));
     StageLine line;
     Generator out = make_generator(groom, [&](const char* stage) { line.show(stage); });
     line.clear();
+    check_points(out.profiles.count);
     for (const std::string& warning : out.source.warnings) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }
@@ -116,14 +201,18 @@ Generator run_generator(const Groom& groom) {
 }
 
 std::pair<int, int> parse_size(const std::string& text) {
-    int width = 0, height = 0, used = 0;
-    const int fields = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used);
-    if (fields != 2 || std::size_t(used) != text.size() || width < 1 || height < 1 ||
-        width > 16384 || height > 16384) {
-        throw InputError(
-            fmt::format("--size: '{}' is no size; give one such as 1280x720", text));
+    const std::string_view all = text;
+    const std::size_t by = std::min(all.find('x'), all.size());
+    const auto width = whole_number<int>(all.substr(0, by));
+    const auto height = whole_number<int>(all.substr(std::min(by + 1, all.size())));
+    constexpr int kMost = 16384;
+    if (!width || !height || *width < 1 || *height < 1 || *width > kMost ||
+        *height > kMost) {
+        throw InputError(fmt::format(
+            "--size: '{}' is no size; give one such as 1280x720, at most {} a side", text,
+            kMost));
     }
-    return {width, height};
+    return {*width, *height};
 }
 
 }  // namespace lancret

@@ -3,8 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "procedural/generator.h"
@@ -37,7 +39,18 @@ struct Job {
 /// InputError.
 Job read_job(const GroomOptions& options);
 
-/// make_generator with its stages on a terminal and its warnings on stderr.
+/// Finds out, before any work, what cannot be written: `output` must have one of
+/// `extensions` (any, where there are none), its folder must take a file, and it must not
+/// be a file that the job reads. An empty `output` is none. Throws InputError.
+void check_output(const std::filesystem::path& output,
+                  std::initializer_list<std::string_view> extensions,
+                  const GroomOptions& options, const Groom& groom);
+
+/// For an option whose value must not be empty, as that of an unset shell variable is.
+CLI::Validator not_empty();
+
+/// make_generator with its stages on a terminal and its warnings on stderr. Throws
+/// InputError.
 Generator run_generator(const Groom& groom);
 
 /// "1280x720"; throws InputError.

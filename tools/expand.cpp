@@ -6,7 +6,6 @@
 
 #include <memory>
 
-#include "guides/errors.h"
 #include "guides/hair_file.h"
 #include "guides/mitsuba_file.h"
 #include "procedural/child_strands.h"
@@ -25,11 +24,9 @@ struct ExpandOptions {
 int expand_groom(const ExpandOptions& options) {
     const std::filesystem::path output = options.output;
     const std::string extension = output.extension().string();
-    if (!output.empty() && extension != ".hair" && extension != ".txt") {
-        throw InputError(fmt::format("{}: strands are written as .hair or .txt (Mitsuba)",
-                                     output.string()));
-    }
     Job job = read_job(options.groom);
+    check_output(output, {".hair", ".txt"}, options.groom, job.groom);
+    check_output(options.groom.stats, {}, options.groom, job.groom);
     if (extension == ".txt") job.groom.expand.basis = CurveBasis::bspline;
     const Generator generator = run_generator(job.groom);
     Stopwatch watch;
@@ -47,8 +44,7 @@ int expand_groom(const ExpandOptions& options) {
     write_stats(options.groom.stats, std::move(stats));
     fmt::print(
         "{} strands, {} points in {:.4f} s: {:.1f} million points a second, {:.0f} bytes "
-        "a "
-        "strand{}\n",
+        "a strand{}\n",
         curves.strands, curves.points.size(), seconds,
         double(curves.points.size()) / seconds / 1e6,
         double(curves.bytes()) / curves.strands,
@@ -68,7 +64,8 @@ void add_expand(CLI::App& app, int& exit_code) {
             "-o,--output", options->output,
             "points on the strands (.hair) or B-spline control points as Mitsuba text "
             "(.txt); without it the strands are only grown")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(not_empty());
     command->footer(
         "Examples:\n"
         "  lancret expand groom.hair --scalp head.obj --strands 1000000 --stats "

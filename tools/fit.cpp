@@ -21,6 +21,8 @@ struct FitOptions {
 
 int fit_groom(const FitOptions& options) {
     const Job job = read_job(options.groom);
+    check_output(options.output, {".h5"}, options.groom, job.groom);
+    check_output(options.groom.stats, {}, options.groom, job.groom);
     const GroomGuides fitted = groom_guides(job.groom);
     if (fitted.fits.empty()) {
         throw InputError(fmt::format("{}: holds guides already, there is nothing to fit",
@@ -57,7 +59,8 @@ void add_fit(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("fit", "Fit Super-Helix guides to strands");
     add_groom_options(*command, options->groom);
     command->add_option("-o,--output", options->output, "guide cache (.h5)")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(not_empty());
     command->footer(
         "Examples:\n"
         "  lancret fit groom.hair --guides 400 --segments 8 -o guides.h5\n"

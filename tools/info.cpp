@@ -36,7 +36,8 @@ void print_range(const char* title, std::vector<double> values, const char* unit
 void info_hair(const std::filesystem::path& file) {
     HairReport report;
     const Strands strands = read_hair(file, &report);
-    fmt::print("{} strands, {} points\n", strands.size(), strands.points.size());
+    fmt::print("{}\n{} strands, {} points\n", file.string(), strands.size(),
+               strands.points.size());
     if (!report.text.empty()) fmt::print("text: {}\n", report.text);
     std::vector<double> points, lengths;
     std::size_t without_length = 0;
@@ -72,19 +73,20 @@ void info_hair(const std::filesystem::path& file) {
 
 void info_obj(const std::filesystem::path& file) {
     const Scalp scalp = make_scalp(read_obj(file));
-    fmt::print("{} vertices, {} triangles, {} UVs\n", scalp.mesh.positions.size(),
-               scalp.mesh.triangles.size(), scalp.mesh.uvs.empty() ? "without" : "with");
+    fmt::print("{}\n{} vertices, {} triangles, {} UVs\n", file.string(),
+               scalp.mesh.positions.size(), scalp.mesh.triangles.size(),
+               scalp.mesh.uvs.empty() ? "without" : "with");
     fmt::print("area: {:.4g} cm^2\n", scalp.area);
     print_box(scalp.mesh.positions);
 }
 
 void info_cache(const std::filesystem::path& file) {
     const GuideCacheInfo info = guide_cache_info(file);
-    fmt::print("{} guides of {} segments, {} frames from {} at {} a second\n",
-               info.guides, info.segments, info.frames, info.first_frame,
+    const Guides guides = read_guide_cache(file, 0);
+    fmt::print("{}\n{} guides of {} segments, {} frames from {} at {} a second\n",
+               file.string(), info.guides, info.segments, info.frames, info.first_frame,
                info.frames_per_second);
     if (!info.groom.empty()) fmt::print("groom: {}\n", info.groom);
-    const Guides guides = read_guide_cache(file, 0);
     std::vector<double> lengths;
     for (std::size_t g = 0; g < guides.size(); ++g)
         lengths.push_back(guide_length(guides, g));
@@ -96,7 +98,7 @@ void info_groom(const std::filesystem::path& file) {
     options.input = file;
     const Job job = read_job(options);
     const Groom& g = job.groom;
-    fmt::print("strands from {}; {} segments a guide\n",
+    fmt::print("{}\nstrands from {}; {} segments a guide\n", file.string(),
                g.strands_file.empty() ? "Lancret itself" : g.strands_file.string(),
                g.fit.segments);
     if (!g.scalp_file.empty()) fmt::print("scalp: {}\n", g.scalp_file.string());
@@ -106,7 +108,6 @@ void info_groom(const std::filesystem::path& file) {
 
 int info(const std::filesystem::path& file) {
     const std::string extension = file.extension().string();
-    fmt::print("{}\n", file.string());
     if (extension == ".hair") {
         info_hair(file);
     } else if (extension == ".obj") {

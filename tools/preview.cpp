@@ -4,8 +4,6 @@
 
 #include <memory>
 
-#include "guides/atomic_file.h"
-#include "guides/errors.h"
 #include "render_test/embree_scene.h"
 #include "tools/command.h"
 #include "tools/progress.h"
@@ -21,24 +19,15 @@ struct PreviewOptions {
     std::optional<int> samples;
 };
 
-void check_output(const std::filesystem::path& output) {
-    const std::string extension = output.extension().string();
-    if (extension != ".exr" && extension != ".png") {
-        throw InputError(
-            fmt::format("{}: a picture is written as .exr or .png", output.string()));
-    }
-    PendingFile can_be_written(output);
-}
-
 const TriangleMesh* body_of(const GroomGuides& source) {
     if (source.body) return &*source.body;
     return source.scalp ? &source.scalp->mesh : nullptr;
 }
 
 int preview(const PreviewOptions& options) {
-    // What cannot be written is found out before the work, not after it.
-    check_output(options.output);
     Job job = read_job(options.groom);
+    check_output(options.output, {".exr", ".png"}, options.groom, job.groom);
+    check_output(options.groom.stats, {}, options.groom, job.groom);
     RenderSettings& settings = job.preview.render;
     if (!options.size.empty()) {
         std::tie(settings.width, settings.height) = parse_size(options.size);
@@ -97,10 +86,12 @@ void add_preview(CLI::App& app, int& exit_code) {
         ->type_name("N")
         ->check(CLI::Range(1, 65536));
     command->add_option("--size", options->size, "of the picture, pixels")
-        ->type_name("WxH");
+        ->type_name("WxH")
+        ->check(not_empty());
     command->add_option("-o,--output", options->output, "the picture: .exr or .png")
         ->required()
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(not_empty());
     command->footer(
         "Examples:\n"
         "  lancret preview examples/made_groom.toml -o head.png\n"
