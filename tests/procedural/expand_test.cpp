@@ -25,7 +25,7 @@ bool same_bytes(const Curves& a, const Curves& b) {
 }
 
 TEST(Expand, SameStrandsForAnyThreadCountAndChunkSize) {
-    const MadeHair hair(600, 12, 1);
+    const MadeHair hair(300, 12, 1);
     for (const Blend blend : {Blend::option1, Blend::position}) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
             ExpandSettings settings{.blend = blend, .basis = basis};
