@@ -236,8 +236,8 @@ FittedGuide fit_super_helix(const SampledCurve& target, const Vec3& surface_tang
                             const FitSettings& settings) {
     const Mat3 root = frame_from_normal(surface_tangent, target.tangents[0]);
     Problem problem(target, root, settings);
-    // Below a hundred-millionth of the length a fit is as good as single-precision files can
-    // tell.
+    // Below a hundred-millionth of the length a fit is as good as single-precision files
+    // can tell.
     const double floor =
         1e-16 * target.length * target.length * double(target.positions.size());
     const double n = double(fit_samples(settings));

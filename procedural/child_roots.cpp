@@ -61,15 +61,11 @@ Roots own_roots(std::span<const Vec3> grown, std::span<const Vec3> tangents,
     }
     std::vector<std::uint32_t> order(grown.size());
     std::iota(order.begin(), order.end(), 0u);
-    if (count < grown.size()) {
-        const auto rank = [&](std::uint32_t i) {
-            return hash_bits(seed, i, kOwnRootSalt);
-        };
-        std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
-            return std::pair(rank(a), a) < std::pair(rank(b), b);
-        });
-        order.resize(count);
-    }
+    const auto rank = [&](std::uint32_t i) { return hash_bits(seed, i, kOwnRootSalt); };
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+        return std::pair(rank(a), a) < std::pair(rank(b), b);
+    });
+    order.resize(count);
     const PointTree tree(grown);
     Roots out;
     out.positions.resize(count);

@@ -14,8 +14,6 @@ namespace lancret {
 
 namespace {
 
-constexpr int kBetween = 2;  ///< places measured in each interval
-
 /// The first children are measured, a fair sample since roots are spread evenly, against
 /// a share of the tolerance, since the rest hold a few that are worse.
 constexpr std::size_t kSample = 8192;
@@ -70,16 +68,13 @@ double emission_distance(std::span<const HelixState<float>> states, float ds,
     for (std::uint32_t j = 0; j < n; ++j) {
         const Vec3f turn =
             rotation_log<float>(states[j].frame.transpose() * states[j + 1].frame);
-        for (int q = 0; q < kBetween; ++q) {
-            const float t = (float(q) + 0.5f) / kBetween;
-            HelixState<float> state = states[j];
-            advance<float>(state, turn / ds, t * ds);
-            // The curve's own parameter may run ahead along the strand: only what lies
-            // across counts.
-            const Vec3f off = emitted(basis, points, tangents, j, t) - state.position;
-            const Vec3f tangent = state.frame.col(0);
-            worst = std::max(worst, (off - tangent * tangent.dot(off)).norm());
-        }
+        HelixState<float> middle = states[j];
+        advance<float>(middle, turn / ds, ds / 2);
+        // The curve's own parameter may run ahead along the strand: only what lies across
+        // counts.
+        const Vec3f off = emitted(basis, points, tangents, j, 0.5f) - middle.position;
+        const Vec3f tangent = middle.frame.col(0);
+        worst = std::max(worst, (off - tangent * tangent.dot(off)).norm());
     }
     return worst;
 }

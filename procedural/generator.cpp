@@ -17,6 +17,8 @@ Generator make_generator(const Groom& groom, const StageCallback& stage) {
     if (stage) stage("bind");
     Stopwatch watch;
     const GroomGuides& source = out.source;
+    const std::uint32_t count =
+        child_count(groom, source.scalp.has_value(), source.grown_roots.size());
     Roots roots;
     if (source.scalp) {
         const double everywhere = std::numeric_limits<double>::infinity();
@@ -25,8 +27,8 @@ Generator make_generator(const Groom& groom, const StageCallback& stage) {
                                   ? everywhere
                                   : growth_of_spacing(source.grown_roots);
         try {
-            roots = roots_on_scalp(*source.scalp, source.grown_roots, groom.strands,
-                                   groom.seed, growth);
+            roots = roots_on_scalp(*source.scalp, source.grown_roots, count, groom.seed,
+                                   growth);
         } catch (const InputError&) {
             throw InputError(fmt::format(
                 "{}: has hardly a place within {:.3g} cm of the groom's strands, where "
@@ -36,8 +38,8 @@ Generator make_generator(const Groom& groom, const StageCallback& stage) {
                 groom.scalp_file.string(), growth, source.largest_snap));
         }
     } else {
-        roots = own_roots(source.grown_roots, source.grown_tangents, groom.strands,
-                          groom.seed, groom.name);
+        roots = own_roots(source.grown_roots, source.grown_tangents, count, groom.seed,
+                          groom.name);
     }
     out.binding = bind(std::move(roots), source.guides, source.normals, groom.bind);
     int intervals = 0;

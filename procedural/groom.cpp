@@ -11,6 +11,7 @@ namespace lancret {
 namespace {
 
 constexpr std::uint32_t kDefaultGuides = 500;
+constexpr std::uint32_t kDefaultChildren = 50000;
 constexpr std::int64_t kMostStrands = 100'000'000;
 constexpr std::string_view kAxes[] = {"X", "Y", "Z"};
 constexpr std::string_view kBases[] = {"catmull-rom", "bspline"};
@@ -97,12 +98,19 @@ std::uint32_t GuideCount::of(std::size_t strands) const {
     return std::min(kDefaultGuides, all);
 }
 
+std::uint32_t child_count(const Groom& groom, bool on_scalp, std::size_t roots) {
+    return groom.strands.value_or(on_scalp ? kDefaultChildren : std::uint32_t(roots));
+}
+
 GuideCount parse_guide_count(const std::string& text, const std::string& where) {
     GuideCount out;
     std::size_t used = 0;
     double value = 0;
     try {
-        value = std::stod(text, &used);
+        // A plain number: neither hexadecimal nor with an exponent.
+        if (text.find_first_not_of("0123456789.%") == std::string::npos) {
+            value = std::stod(text, &used);
+        }
     } catch (const std::exception&) {
         used = 0;
     }

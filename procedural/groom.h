@@ -46,14 +46,18 @@ struct Groom {
     FitSettings fit;
     std::filesystem::path scalp_file;  ///< .obj; empty without one
     std::optional<double>
-        growth_distance;            ///< cm from the groom's strands; none: by spacing
-    std::uint32_t strands = 50000;  ///< children
+        growth_distance;  ///< cm from the groom's strands; none: by spacing
+    std::optional<std::uint32_t> strands;  ///< children; none: as many as of child_count
     std::uint64_t seed = 0;
     BindSettings bind;
     ExpandSettings expand;
     double tolerance = 0.03;       ///< cm, of the emitted curves from the strands
     std::optional<int> intervals;  ///< a strand; none: by tolerance
 };
+
+/// How many children a groom grows: what it says; else 50,000 on a scalp, and without one
+/// a child on each of the groom's own `roots`.
+std::uint32_t child_count(const Groom& groom, bool on_scalp, std::size_t roots);
 
 /// Reads the tables [scene], [guides], [scalp], [strands] and [width]; the other tables
 /// of a groom belong to its host, who also finishes the TOML.

@@ -14,15 +14,17 @@ bool guide_weights(std::span<const double> distances, double reach,
         weights[0] = 1;
         return true;
     }
-    // Relative to the nearest, so that no power of a small distance overflows.
+    // Relative to the nearest, so that no power of a small distance overflows. Where all
+    // are as far as the reach, they differ by their facing alone.
+    const bool even = distances[0] >= reach * (1 - 1e-9);
     double sum = 0;
     std::array<double, 64> raw;
     for (std::size_t k = 0; k < weights.size(); ++k) {
-        const double near = distances[0] / distances[k] - distances[0] / reach;
+        const double near = even ? 1 : distances[0] / distances[k] - distances[0] / reach;
         raw[k] = std::pow(std::max(0.0, near), exponent) * std::max(0.0, facing[k]);
         sum += raw[k];
     }
-    if (!(sum > 1e-12)) {
+    if (!(sum > 0)) {
         weights[0] = 1;
         return false;
     }

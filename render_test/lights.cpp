@@ -93,8 +93,8 @@ Lights default_lights(const Vec3f& view, const Vec3f& up) {
     return Lights(Environment(sky_map(Vec3f(0.75f, 0.85f, 1.0f), Vec3f(0.6f, 0.6f, 0.6f),
                                       Vec3f(0.2f, 0.18f, 0.16f)),
                               up),
-                  {{key, 4.0f * Vec3f(1, 0.97f, 0.92f), 0.06f},
-                   {rim, 2.5f * Vec3f(0.95f, 0.97f, 1), 0.06f}});
+                  {{key, 4.0f * Vec3f(1, 0.97f, 0.92f), 0.3f},
+                   {rim, 2.0f * Vec3f(0.95f, 0.97f, 1), 0.3f}});
 }
 
 }  // namespace lancret

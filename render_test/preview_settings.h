@@ -18,13 +18,13 @@ struct PreviewSettings {
     std::optional<Vec3f> view;  ///< direction of sight; none: from the front, a little
                                 ///< to the side and above
     float field_of_view = 0.5236f;  ///< vertical, radian (30 degrees)
-    float margin = 1.05f;
+    float margin = 1.15f;
     std::optional<Lights> lights;               ///< none: the default rig
     Vec3f background = Vec3f::Constant(0.18f);  ///< linear, behind a PNG
 };
 
-/// Reads the tables [camera], [material], [light] and [render]; `up` is the scene's. Throws InputError, also
-/// for a texture or environment that cannot be read.
+/// Reads the tables [camera], [material], [light] and [render]; `up` is the scene's.
+/// Throws InputError, also for a texture or environment that cannot be read.
 PreviewSettings read_preview_settings(const TomlTable& toml, const Vec3f& up);
 
 /// The camera for something in `box` (cm).

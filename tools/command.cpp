@@ -166,21 +166,21 @@ CLI::Validator not_empty() {
 }
 
 Generator run_generator(const Groom& groom) {
-    const auto check_points = [&](int intervals) {
-        const std::uint64_t points = std::uint64_t(groom.strands) *
-                                     control_points_of(groom.expand.basis, intervals);
+    const auto check_points = [&](std::uint64_t strands, int intervals) {
+        const std::uint64_t points =
+            strands * control_points_of(groom.expand.basis, intervals);
         if (points > std::numeric_limits<std::uint32_t>::max()) {
             throw InputError(fmt::format(
                 "{}: {} strands of {} intervals have {} points, more than 2^32: ask for "
                 "fewer by --strands or --intervals",
-                groom.name, groom.strands, intervals, points));
+                groom.name, strands, intervals, points));
         }
     };
-    check_points(groom.intervals.value_or(1));
+    check_points(groom.strands.value_or(1), groom.intervals.value_or(1));
     StageLine line;
     Generator out = make_generator(groom, [&](const char* stage) { line.show(stage); });
     line.clear();
-    check_points(out.profiles.count);
+    check_points(out.binding.size(), out.profiles.count);
     for (const std::string& warning : out.source.warnings) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }

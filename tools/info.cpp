@@ -102,7 +102,9 @@ void info_groom(const std::filesystem::path& file) {
                g.strands_file.empty() ? "Lancret itself" : g.strands_file.string(),
                g.fit.segments);
     if (!g.scalp_file.empty()) fmt::print("scalp: {}\n", g.scalp_file.string());
-    fmt::print("{} children by blend {} between {} guides each\n", g.strands,
+    const std::string children =
+        g.strands ? fmt::format("{}", *g.strands) : "as many as fit";
+    fmt::print("{} children by blend {} between {} guides each\n", children,
                blend_name(g.expand.blend), g.bind.neighbours);
 }
 

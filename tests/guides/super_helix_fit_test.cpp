@@ -144,8 +144,8 @@ TEST(SuperHelixFit, OfAStraightStrandIsStraight) {
     for (const Vec3& hint : {Vec3(Vec3::UnitX()), direction}) {
         const FittedGuide fitted = fit_super_helix(target, hint, settings);
         EXPECT_LT(rms_of(fitted, target), 1e-7);
-        // The spline's tangents are good to some 1e-12, and the angle between two that are
-        // all but the same to the root of round-off.
+        // The spline's tangents are good to some 1e-12, and the angle between two that
+        // are all but the same to the root of round-off.
         EXPECT_LT((fitted.root_frame.col(0) - direction).norm(), 1e-7);
         for (const Vec3& u : fitted.curvatures) EXPECT_LT(u.norm(), 1e-6);
     }
