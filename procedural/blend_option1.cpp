@@ -201,7 +201,7 @@ void blend_option1(const Child<T>& child, const GuideProfiles<T>& guides,
     for (int i = 0; i < guides.count; ++i) {
         if (i > 0) {
             const Row<T> next(child, guides, i);
-            angle += turn_at_joint(child, guides, row, next, i);
+            if (guides.joints[i]) angle += turn_at_joint(child, guides, row, next, i);
             row = next;
         }
         const Rates<T> rates = blended_rates(child, row);

@@ -113,6 +113,19 @@ GuideProfiles<T> guide_profiles(const Guides& guides, int count) {
         out.root_frames[g] = guides.root_frames[g].cast<T>();
         out.lengths[g] = T(length);
     });
+    // Inside a segment N goes on where it was, to round-off.
+    constexpr T kJump = T(1e-5);
+    out.joints.assign(n, 0);
+    for (std::size_t g = 0; g < size; ++g) {
+        for (std::size_t i = 1; i < n; ++i) {
+            const auto &before = out.intervals[g * n + i - 1],
+                       &after = out.intervals[g * n + i];
+            if ((after.normal_before - before.normal_after).norm() > kJump ||
+                std::abs(after.kappa - before.kappa) > kJump * after.kappa) {
+                out.joints[i] = 1;
+            }
+        }
+    }
     return out;
 }
 

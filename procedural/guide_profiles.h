@@ -30,6 +30,7 @@ template <class T>
 struct GuideProfiles {
     int count = 0;  ///< intervals of each guide
     std::vector<ProfileInterval<T>> intervals;
+    std::vector<char> joints;  ///< [count], 1 where a guide's N may jump at the start
     std::vector<Mat3T<T>> root_frames;  ///< [guides], in space
     std::vector<T> lengths;             ///< [guides], cm
     std::vector<Vec3T<T>> positions;    ///< from the root, in the root frame, cm

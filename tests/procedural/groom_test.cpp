@@ -26,7 +26,9 @@ TEST(Groom, AnEmptyFileIsTheMadeGroom) {
     const Groom groom = groom_of("");
     EXPECT_EQ(groom.name, "g.toml");
     EXPECT_TRUE(groom.strands_file.empty());
-    EXPECT_EQ(groom.strands, 50000u);
+    EXPECT_EQ(groom.strands, std::nullopt);
+    EXPECT_EQ(child_count(groom, true, 123), 50000u);
+    EXPECT_EQ(child_count(groom, false, 123), 123u);
     EXPECT_EQ(groom.expand.blend, Blend::option1);
     EXPECT_EQ(groom.scene.up, Vec3::UnitY());
     EXPECT_EQ(groom.scene.gravity, Vec3(0, -981, 0));
