@@ -7,6 +7,7 @@
 // where they lose their meaning, so that the result stays continuous.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "procedural/blend.h"
@@ -29,24 +30,36 @@ Vec3T<T> across(const Vec3T<T>& v, const Vec3T<T>& axis) {
     return v - axis * axis.dot(v);
 }
 
-/// sum(w_k A_k v_k) made a unit vector; where it vanishes, the heaviest guide's vector.
+/// A vector of each guide.
+template <class T>
+using GuideVectors = std::array<Vec3T<T>, kMaxNeighbours>;
+
+/// vector(k) of each guide, turned from its root frame to space.
 template <class T, class Vector>
-Vec3T<T> mean_direction(const Child<T>& child, Vector&& vector) {
+GuideVectors<T> in_space(const Child<T>& child, Vector&& vector) {
+    GuideVectors<T> out;
+    for (std::size_t k = 0; k < child.guides.size(); ++k) {
+        out[k] = child.to_space[k] * vector(k);
+    }
+    return out;
+}
+
+/// sum(w_k v_k) made a unit vector; where it vanishes, the heaviest guide's vector.
+template <class T>
+Vec3T<T> mean_direction(const Child<T>& child, const GuideVectors<T>& vectors) {
     Vec3T<T> sum = Vec3T<T>::Zero();
     for (std::size_t k = 0; k < child.guides.size(); ++k) {
-        sum += child.weights[k] * (child.to_space[k] * vector(k));
+        sum += child.weights[k] * vectors[k];
     }
     const T size = sum.norm();
     if (size > kSteady<T>) return sum / size;
-    const std::size_t heaviest =
-        std::ranges::max_element(child.weights) - child.weights.begin();
-    return child.to_space[heaviest] * vector(heaviest);
+    return vectors[std::ranges::max_element(child.weights) - child.weights.begin()];
 }
 
 /// The guides' interval i.
 template <class T>
 struct Row {
-    const ProfileInterval<T>* at[kMaxNeighbours];
+    const ProfileInterval<T>* at[kMaxNeighbours] = {};
 
     Row(const Child<T>& child, const GuideProfiles<T>& guides, std::size_t i) {
         for (std::size_t k = 0; k < child.guides.size(); ++k) {
@@ -74,13 +87,13 @@ Vec3T<T> bend_of(const Child<T>& child, const Row<T>& row,
 /// orthonormal whatever comes.
 template <class T>
 Mat3T<T> root_frame_of(const Child<T>& child, const Row<T>& row) {
-    const Vec3T<T> tangent =
-        mean_direction<T>(child, [](std::size_t) { return Vec3T<T>::UnitX(); });
+    const Vec3T<T> tangent = mean_direction(
+        child, in_space(child, [](std::size_t) { return Vec3T<T>::UnitX(); }));
     Vec3T<T> normal = bend_of(child, row, &ProfileInterval<T>::normal_before, tangent);
     if (!(normal.norm() > kNothing<T>)) {
-        normal = across<T>(
-            mean_direction<T>(child, [](std::size_t) { return Vec3T<T>::UnitY(); }),
-            tangent);
+        const auto across_root =
+            in_space(child, [](std::size_t) { return Vec3T<T>::UnitY(); });
+        normal = across<T>(mean_direction(child, across_root), tangent);
     }
     if (!(normal.norm() > kNothing<T>)) normal = tangent.unitOrthogonal();
     normal.normalize();
@@ -90,24 +103,34 @@ Mat3T<T> root_frame_of(const Child<T>& child, const Row<T>& row) {
     return frame;
 }
 
-/// The angle by which N~ turns about T~ where two intervals meet: from the bend before
-/// the joint to the bend after it, both seen across T~ at the joint. An inflection is
-/// half a turn.
+/// A direction across the tangent: cosine and sine of its angle from n1.
 template <class T>
-T turn_at_joint(const Child<T>& child, const GuideProfiles<T>& guides,
-                const Row<T>& before, const Row<T>& after, std::size_t place) {
+struct Angle {
+    T cosine = 1, sine = 0;
+};
+
+/// `angle` and the turn of N~ about T~ where two intervals meet: from the bend before the
+/// joint to the bend after it, both seen across T~ at the joint. An inflection is half a
+/// turn.
+template <class T>
+Angle<T> turned_at_joint(const Angle<T>& angle, const Child<T>& child,
+                         const GuideProfiles<T>& guides, const Row<T>& before,
+                         const Row<T>& after, std::size_t place) {
+    const std::size_t places = guides.count + 1;
     const Vec3T<T> tangent =
-        mean_direction<T>(child, [&](std::size_t k) -> const Vec3T<T>& {
-            return guides
-                .tangents[std::size_t(child.guides[k]) * (guides.count + 1) + place];
-        });
+        mean_direction(child, in_space(child, [&](std::size_t k) -> const Vec3T<T>& {
+                           return guides.tangents[child.guides[k] * places + place];
+                       }));
     const Vec3T<T> from =
         bend_of(child, before, &ProfileInterval<T>::normal_after, tangent);
     const Vec3T<T> to =
         bend_of(child, after, &ProfileInterval<T>::normal_before, tangent);
     const T sine = tangent.dot(from.cross(to)), cosine = from.dot(to);
-    if (!(std::abs(sine) + std::abs(cosine) > kNothing<T> * kNothing<T>)) return 0;
-    return std::atan2(sine, cosine);
+    const Angle<T> sum{angle.cosine * cosine - angle.sine * sine,
+                       angle.sine * cosine + angle.cosine * sine};
+    const T size = std::sqrt(sum.cosine * sum.cosine + sum.sine * sum.sine);
+    if (!(size > kNothing<T> * kNothing<T>)) return angle;
+    return {sum.cosine / size, sum.sine / size};
 }
 
 /// kappa~ and tau~ on one interval.
@@ -121,17 +144,18 @@ struct Rates {
 template <class T>
 Rates<T> blended_rates(const Child<T>& child, const Row<T>& row) {
     const std::size_t count = child.guides.size();
-    const Vec3T<T> tangent = mean_direction<T>(
+    const GuideVectors<T> tangents = in_space(
         child, [&](std::size_t k) -> const Vec3T<T>& { return row.at[k]->tangent; });
+    const Vec3T<T> tangent = mean_direction(child, tangents);
 
     // (kappa, N) and (-kappa, -N) are the same bend. All are told with N on the side of
     // the guide that bends most, so that guides on either side of an inflection cancel in
     // kappa, not in N.
-    Vec3T<T> normal[kMaxNeighbours];
+    GuideVectors<T> normal = in_space(
+        child, [&](std::size_t k) -> const Vec3T<T>& { return row.at[k]->normal; });
     T kappa_of[kMaxNeighbours] = {};
     std::size_t first = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        normal[k] = child.to_space[k] * row.at[k]->normal;
         kappa_of[k] = row.at[k]->kappa;
         if (child.weights[k] * kappa_of[k] > child.weights[first] * kappa_of[first])
             first = k;
@@ -174,8 +198,7 @@ Rates<T> blended_rates(const Child<T>& child, const Row<T>& row) {
         const Vec3T<T> binormal = tangent.cross(bend) / size;
         T product = 0, binormals = 0;
         for (std::size_t k = 0; k < count; ++k) {
-            const Vec3T<T> own =
-                (child.to_space[k] * row.at[k]->tangent).cross(normal[k]);
+            const Vec3T<T> own = tangents[k].cross(normal[k]);
             const T along = child.weights[k] * own.dot(binormal);
             product += along * kappa_of[k] * row.at[k]->tau;
             binormals += along;
@@ -197,16 +220,18 @@ void blend_option1(const Child<T>& child, const GuideProfiles<T>& guides,
     Row<T> row(child, guides, 0);
     HelixState<T> state{root_frame_of(child, row), Vec3T<T>::Zero()};
     states[0] = state;
-    T angle = 0;  // of N~ from n1: the turns so far
+    Angle<T> angle;  // of N~ from n1: the turns so far
     for (int i = 0; i < guides.count; ++i) {
         if (i > 0) {
             const Row<T> next(child, guides, i);
-            if (guides.joints[i]) angle += turn_at_joint(child, guides, row, next, i);
+            if (guides.joints[i]) {
+                angle = turned_at_joint(angle, child, guides, row, next, i);
+            }
             row = next;
         }
         const Rates<T> rates = blended_rates(child, row);
-        const Vec3T<T> u(rates.tau, -rates.kappa * std::sin(angle),
-                         rates.kappa * std::cos(angle));
+        const Vec3T<T> u(rates.tau, -rates.kappa * angle.sine,
+                         rates.kappa * angle.cosine);
         advance<T>(state, u, ds);
         orthonormalize<T>(state.frame);
         states[i + 1] = state;
