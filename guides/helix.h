@@ -10,6 +10,7 @@
 // For constant u the solution is closed and has no division by a curvature; it stands in
 // for [TW99, Eq. 26-37, corrected] and [Bergbom07, Eq. 4.13-4.22, corrected].
 
+#include <array>
 #include <cmath>
 
 #include "guides/types.h"
@@ -31,6 +32,14 @@ struct StepKernel {
     T c1, c2, c3;
 };
 
+/// 1 / (k (k + 1)): the ratio of two terms of the series.
+template <class T>
+inline constexpr auto kOverPair = [] {
+    std::array<T, 21> out{};
+    for (int k = 1; k < 21; ++k) out[k] = T(1) / T(k * (k + 1));
+    return out;
+}();
+
 /// The kernel at x = t^2 >= 0: Taylor series below 1, closed forms above.
 template <class T>
 StepKernel<T> step_kernel(T x) {
@@ -39,8 +48,8 @@ StepKernel<T> step_kernel(T x) {
         constexpr int kTerms = sizeof(T) == 4 ? 5 : 9;
         T c2 = 1, c3 = 1;
         for (int n = kTerms; n > 0; --n) {
-            c2 = 1 - x * c2 / T((2 * n + 1) * (2 * n + 2));
-            c3 = 1 - x * c3 / T((2 * n + 2) * (2 * n + 3));
+            c2 = 1 - x * c2 * kOverPair<T>[2 * n + 1];
+            c3 = 1 - x * c3 * kOverPair<T>[2 * n + 2];
         }
         c2 /= 2;
         c3 /= 6;
