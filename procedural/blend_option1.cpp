@@ -128,7 +128,7 @@ Angle<T> turned_at_joint(const Angle<T>& angle, const Child<T>& child,
     const T sine = tangent.dot(from.cross(to)), cosine = from.dot(to);
     const Angle<T> sum{angle.cosine * cosine - angle.sine * sine,
                        angle.sine * cosine + angle.cosine * sine};
-    const T size = std::sqrt(sum.cosine * sum.cosine + sum.sine * sum.sine);
+    const T size = std::hypot(sum.cosine, sum.sine);
     if (!(size > kNothing<T> * kNothing<T>)) return angle;
     return {sum.cosine / size, sum.sine / size};
 }

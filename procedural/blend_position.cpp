@@ -9,6 +9,12 @@ template <class T>
 void blend_position(const Child<T>& child, const GuideProfiles<T>& guides,
                     std::span<HelixState<T>> states) {
     const std::size_t places = guides.count + 1;
+    // A groom may ask for longer or shorter children than their guides.
+    T length = 0;
+    for (std::size_t k = 0; k < child.guides.size(); ++k) {
+        length += child.weights[k] * guides.lengths[child.guides[k]];
+    }
+    const T scale = child.length / length;
     for (std::size_t i = 0; i < places; ++i) {
         HelixState<T>& state = states[i];
         state.position.setZero();
@@ -16,7 +22,7 @@ void blend_position(const Child<T>& child, const GuideProfiles<T>& guides,
         for (std::size_t k = 0; k < child.guides.size(); ++k) {
             const std::size_t g = child.guides[k];
             const Mat3T<T> weighted = child.weights[k] * guides.root_frames[g];
-            state.position += weighted * guides.positions[g * places + i];
+            state.position += scale * (weighted * guides.positions[g * places + i]);
             tangent += weighted * guides.tangents[g * places + i];
         }
         // The frame is carried from place to place by the smallest rotation.

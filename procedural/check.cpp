@@ -18,20 +18,25 @@ struct GuideValue {
     double kappa, tau;
 };
 
-/// Values of every guide in the middle of each interval, straight from the segments.
+/// Values of every guide in each interval, straight from the segments; NaN where an
+/// interval holds a joint and so has no single value.
 std::vector<GuideValue> guide_values(const Guides& guides, int intervals) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     std::vector<GuideValue> out;
     out.reserve(guides.size() * intervals);
     for (std::size_t g = 0; g < guides.size(); ++g) {
         const auto lengths = guides.lengths_of(g);
         const auto u = guides.curvatures_of(g);
-        const double total = guide_length(guides, g);
-        double end = lengths[0];
+        const double total = guide_length(guides, g), slack = 1e-9 * total;
+        double start = 0;
         std::size_t q = 0;
         for (int i = 0; i < intervals; ++i) {
-            const double middle = total * (i + 0.5) / intervals;
-            while (q + 1 < u.size() && middle > end) end += lengths[++q];
-            out.push_back({std::hypot(u[q].y(), u[q].z()), u[q].x()});
+            const double from = total * i / intervals, to = total * (i + 1) / intervals;
+            while (q + 1 < u.size() && from >= start + lengths[q] - slack)
+                start += lengths[q++];
+            const bool whole = q + 1 == u.size() || to <= start + lengths[q] + slack;
+            out.push_back(whole ? GuideValue{std::hypot(u[q].y(), u[q].z()), u[q].x()}
+                                : GuideValue{kNone, kNone});
         }
     }
     return out;
@@ -45,16 +50,19 @@ bool inside_hull(std::span<const MeasuredInterval> measured,
                  const std::vector<GuideValue>& values) {
     const std::size_t n = measured.size();
     for (std::size_t i = 0; i < n; ++i) {
+        bool joint = false;
         constexpr double kFar = std::numeric_limits<double>::infinity();
         double kappa_low = kFar, kappa_high = -kFar, tau_low = kFar, tau_high = -kFar;
         for (std::size_t k = 0; k < guides.size(); ++k) {
             if (!(weights[k] > 0)) continue;
             const GuideValue& value = values[guides[k] * n + i];
+            joint = joint || std::isnan(value.kappa);
             kappa_low = std::min(kappa_low, value.kappa);
             kappa_high = std::max(kappa_high, value.kappa);
             tau_low = std::min(tau_low, value.tau);
             tau_high = std::max(tau_high, value.tau);
         }
+        if (joint) continue;
         const MeasuredInterval& m = measured[i];
         const double slack = 4e-6 / m.length;
         const auto inside = [&](double x, double low, double high) {
@@ -78,18 +86,6 @@ bool finite(std::span<const Point4f> points) {
     });
 }
 
-/// Every root, grown by the longest strand: no tip can leave it.
-Eigen::AlignedBox3d reach_of(const Binding& binding) {
-    Eigen::AlignedBox3d box;
-    float longest = 0;
-    for (std::size_t i = 0; i < binding.size(); ++i) {
-        box.extend(binding.roots.positions[i].cast<double>());
-        longest = std::max(longest, binding.lengths[i]);
-    }
-    const double grow = longest * (1 + 1e-6);
-    return {box.min() - Vec3::Constant(grow), box.max() + Vec3::Constant(grow)};
-}
-
 }  // namespace
 
 CheckReport check(const Binding& binding, const Guides& guides,
@@ -97,7 +93,7 @@ CheckReport check(const Binding& binding, const Guides& guides,
                   double length_scale, const CheckTolerances& tolerances) {
     const std::size_t n = profiles.count, k = binding.neighbours;
     const std::vector<GuideValue> values = guide_values(guides, profiles.count);
-    const Eigen::AlignedBox3d reach = reach_of(binding);
+    const Eigen::AlignedBox3d box = bounds(curves).cast<double>();
     CheckReport report;
     report.tolerances = tolerances;
     report.hull_is_asked = blend == Blend::option1;
@@ -145,7 +141,12 @@ CheckReport check(const Binding& binding, const Guides& guides,
             out.root_distance = float((emitted.position(0, 0) - root).norm());
             out.finite = finite(emitted.points) && finite(emitted.tangents) &&
                          std::isfinite(length) && std::isfinite(out.orthogonality);
-            out.inside_bound = reach.contains(emitted.position(n - 1, 1));
+            // No further from its root than it is long, and in the box that a host is
+            // told.
+            const Vec3 tip = emitted.position(n - 1, 1);
+            out.inside_bound =
+                box.contains(tip) &&
+                (tip - root).norm() <= intended * (1 + 1e-4) + tolerances.root;
             out.inside_hull = inside_hull(measured, own_guides, own_weights, values);
         }
     };
@@ -163,10 +164,14 @@ double severity(const CheckReport& report, const StrandCheck& s) {
     if (!s.finite || !s.inside_bound || (report.hull_is_asked && !s.inside_hull)) {
         return std::numeric_limits<double>::infinity();
     }
-    const double shares[] = {s.orthogonality / t.orthogonality,
-                             std::abs(s.length_error) / t.length,
-                             std::abs(s.emitted_length_error) / t.emitted_length,
-                             s.distance / t.distance, s.root_distance / t.root};
+    // Nothing off is within a tolerance of nothing.
+    const auto share_of = [](double size, double tolerance) {
+        return size == 0 ? 0 : std::abs(size) / tolerance;
+    };
+    const double shares[] = {
+        share_of(s.orthogonality, t.orthogonality), share_of(s.length_error, t.length),
+        share_of(s.emitted_length_error, t.emitted_length),
+        share_of(s.distance, t.distance), share_of(s.root_distance, t.root)};
     double worst = 0;
     for (const double share : shares) {
         if (std::isnan(share)) return std::numeric_limits<double>::infinity();

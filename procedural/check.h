@@ -1,5 +1,6 @@
 #pragma once
-// The proof: every strand looked at, by code that shares nothing with what made it.
+// The proof: every strand looked at, by measurements of its own on the places and frames
+// that synthesis exposes and on the control points that expansion made.
 
 #include <cstdint>
 #include <vector>
@@ -22,7 +23,7 @@ struct CheckTolerances {
 struct StrandCheck {
     std::uint32_t strand = 0;
     bool finite = true;              ///< every place, frame and control point
-    bool inside_bound = true;        ///< the tip, in the bound of the groom
+    bool inside_bound = true;        ///< the tip, in the curves' box and within reach
     bool inside_hull = true;         ///< kappa and tau, between those of its guides
     float orthogonality = 0;         ///< max |R^T R - I| over its places
     float length_error = 0;          ///< arc length over intended length - 1

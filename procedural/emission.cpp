@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "guides/errors.h"
 #include "procedural/expand.h"
@@ -74,7 +75,11 @@ double emission_distance(std::span<const HelixState<float>> states, float ds,
         // counts.
         const Vec3f off = emitted(basis, points, tangents, j, 0.5f) - middle.position;
         const Vec3f tangent = middle.frame.col(0);
-        worst = std::max(worst, (off - tangent * tangent.dot(off)).norm());
+        const float distance = (off - tangent * tangent.dot(off)).norm();
+        if (!(distance <= worst)) {
+            worst =
+                std::isnan(distance) ? std::numeric_limits<float>::infinity() : distance;
+        }
     }
     return worst;
 }

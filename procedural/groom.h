@@ -40,8 +40,10 @@ struct Groom {
     std::string name;  ///< of its file, for messages
     SceneUnits scene;
     std::filesystem::path strands_file;  ///< .hair; empty where the groom is made
-    MadeGroomSettings made;              ///< of the groom and scalp that Lancret makes
-    Basis basis = Basis::catmull_rom;    ///< of the points in `strands_file`
+    std::filesystem::path
+        guides_file;         ///< .h5 that stands in for the fit; empty without one
+    MadeGroomSettings made;  ///< of the groom and scalp that Lancret makes
+    Basis basis = Basis::catmull_rom;  ///< of the points in `strands_file`
     GuideCount guides;
     FitSettings fit;
     std::filesystem::path scalp_file;  ///< .obj; empty without one

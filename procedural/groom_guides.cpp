@@ -189,7 +189,11 @@ GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
     out.seconds.load = watch.lap();
 
     enter("fit");
-    fit_chosen(groom, loaded.strands, roots, out);
+    if (groom.guides_file.empty()) {
+        fit_chosen(groom, loaded.strands, roots, out);
+    } else {
+        out.guides = read_guide_cache(groom.guides_file, 0);
+    }
     stand_on_scalp(out);
     out.grown_roots = roots.positions;
     out.grown_tangents = roots.tangents;

@@ -21,7 +21,7 @@ bool guide_weights(std::span<const double> distances, double reach,
     std::array<double, 64> raw;
     for (std::size_t k = 0; k < weights.size(); ++k) {
         const double near = even ? 1 : distances[0] / distances[k] - distances[0] / reach;
-        raw[k] = std::pow(std::max(0.0, near), exponent) * std::max(0.0, facing[k]);
+        raw[k] = near > 0 ? std::pow(near, exponent) * std::max(0.0, facing[k]) : 0;
         sum += raw[k];
     }
     if (!(sum > 0)) {

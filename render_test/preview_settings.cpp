@@ -97,7 +97,19 @@ void read_light(const TomlTable& light, const Vec3f& up, PreviewSettings& out) {
     const auto radius = light.number("key_radius_degrees", 0.03, 80);
     if (sky && file)
         light.fail("sky", "light comes from a 'sky' or an 'environment', not both");
-    if (!sky && !file && !sun && !irradiance) return;
+    if (rotation && !file)
+        light.fail("rotation_degrees", "turns an 'environment'; name one");
+    if (radius && !sun && !irradiance) {
+        light.fail("key_radius_degrees",
+                   "belongs to a 'key' or 'key_direction'; name one");
+    }
+    if (!sky && !file && !sun && !irradiance) {
+        if (light.has("strength")) {
+            light.fail("strength",
+                       "is that of a 'sky', 'environment' or 'key'; name one");
+        }
+        return;
+    }
     Environment environment(Vec3f(strength * sky.value_or(Vec3f::Constant(0.4f))));
     if (file) {
         ColourMap map = read_colour_map(*file);

@@ -31,7 +31,7 @@ std::string not_negative(const std::string& text) {
 int check_groom(const CheckOptions& options) {
     const Job job = read_job(options.groom);
     check_output(options.json, {}, options.groom, job.groom);
-    check_output(options.groom.stats, {}, options.groom, job.groom);
+    check_output(options.groom.stats, {}, options.groom, job.groom, options.json);
     const Generator generator = run_generator(job.groom);
     Stopwatch expand_watch;
     const Curves curves = expand(generator.binding, generator.profiles, job.groom.expand);

@@ -12,6 +12,7 @@
 
 #include "guides/atomic_file.h"
 #include "guides/errors.h"
+#include "guides/guide_cache.h"
 #include "tools/progress.h"
 #include "tools/quiet_stderr.h"
 
@@ -47,6 +48,15 @@ Groom groom_of_file(const std::filesystem::path& file) {
     out.name = file.string();
     out.strands_file = file;
     return out;
+}
+
+/// The groom that a cache of guides names, where it is a .toml that is there; else
+/// nothing: then the guides stand by themselves.
+std::filesystem::path groom_of_cache(const std::filesystem::path& cache) {
+    const std::filesystem::path groom = guide_cache_info(cache).groom;
+    std::error_code unknown;  // counts as not there
+    const bool there = std::filesystem::is_regular_file(groom, unknown);
+    return there && groom.extension() == ".toml" ? groom : std::filesystem::path();
 }
 
 void lay_over(const GroomOptions& options, Groom& groom) {
@@ -106,9 +116,12 @@ void add_groom_options(CLI::App& command, GroomOptions& options) {
 Job read_job(const GroomOptions& options) {
     Job job;
     const std::string extension = options.input.extension().string();
-    if (extension == ".toml") {
-        const TomlTable toml = TomlTable::from_file(options.input);
-        job.groom = read_groom(toml, options.input.string());
+    const std::filesystem::path toml_file =
+        extension == ".h5" ? groom_of_cache(options.input) : options.input;
+    if (toml_file.extension() == ".toml") {
+        const TomlTable toml = TomlTable::from_file(toml_file);
+        job.groom = read_groom(toml, toml_file.string());
+        if (extension == ".h5") job.groom.guides_file = options.input;
         const QuietStderr quiet;  // the textures' errors are told by ours
         job.preview = read_preview_settings(toml, job.groom.scene.up.cast<float>());
         toml.finish();
@@ -119,11 +132,12 @@ Job read_job(const GroomOptions& options) {
                                      options.input.string()));
     }
     lay_over(options, job.groom);
-    if (job.groom.strands_file.extension() == ".h5") {
+    const bool cached = !job.groom.guides_file.empty();
+    if (cached || job.groom.strands_file.extension() == ".h5") {
         const auto refuse = [&](const char* option) {
-            throw InputError(
-                fmt::format("{}: cannot change the guides that {} holds; fit new ones",
-                            option, job.groom.strands_file.string()));
+            throw InputError(fmt::format(
+                "{}: cannot change the guides that {} holds; fit new ones", option,
+                (cached ? job.groom.guides_file : job.groom.strands_file).string()));
         };
         if (!options.guides.empty()) refuse("--guides");
         if (options.segments) refuse("--segments");
@@ -134,15 +148,21 @@ Job read_job(const GroomOptions& options) {
 
 void check_output(const std::filesystem::path& output,
                   std::initializer_list<std::string_view> extensions,
-                  const GroomOptions& options, const Groom& groom) {
+                  const GroomOptions& options, const Groom& groom,
+                  const std::filesystem::path& other) {
     if (output.empty()) return;
+    if (!other.empty() && std::filesystem::absolute(output).lexically_normal() ==
+                              std::filesystem::absolute(other).lexically_normal()) {
+        throw InputError(fmt::format("{}: cannot hold two outputs", output.string()));
+    }
     const std::string extension = output.extension().string();
     if (extensions.size() > 0 &&
         std::ranges::find(extensions, extension) == extensions.end()) {
         throw InputError(fmt::format("{}: is written as {} only", output.string(),
                                      fmt::join(extensions, " or ")));
     }
-    for (const auto& input : {options.input, groom.strands_file, groom.scalp_file}) {
+    for (const auto& input :
+         {options.input, groom.strands_file, groom.guides_file, groom.scalp_file}) {
         std::error_code missing;  // is no reason to complain here
         if (std::filesystem::equivalent(output, input, missing)) {
             throw InputError(fmt::format(

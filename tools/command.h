@@ -41,10 +41,12 @@ Job read_job(const GroomOptions& options);
 
 /// Finds out, before any work, what cannot be written: `output` must have one of
 /// `extensions` (any, where there are none), its folder must take a file, and it must not
-/// be a file that the job reads. An empty `output` is none. Throws InputError.
+/// be a file that the job reads, nor the `other` output. An empty path is none. Throws
+/// InputError.
 void check_output(const std::filesystem::path& output,
                   std::initializer_list<std::string_view> extensions,
-                  const GroomOptions& options, const Groom& groom);
+                  const GroomOptions& options, const Groom& groom,
+                  const std::filesystem::path& other = {});
 
 /// For an option whose value must not be empty, as that of an unset shell variable is.
 CLI::Validator not_empty();

@@ -26,7 +26,7 @@ int expand_groom(const ExpandOptions& options) {
     const std::string extension = output.extension().string();
     Job job = read_job(options.groom);
     check_output(output, {".hair", ".txt"}, options.groom, job.groom);
-    check_output(options.groom.stats, {}, options.groom, job.groom);
+    check_output(options.groom.stats, {}, options.groom, job.groom, output);
     if (extension == ".txt") job.groom.expand.basis = CurveBasis::bspline;
     const Generator generator = run_generator(job.groom);
     Stopwatch watch;

@@ -22,7 +22,7 @@ struct FitOptions {
 int fit_groom(const FitOptions& options) {
     const Job job = read_job(options.groom);
     check_output(options.output, {".h5"}, options.groom, job.groom);
-    check_output(options.groom.stats, {}, options.groom, job.groom);
+    check_output(options.groom.stats, {}, options.groom, job.groom, options.output);
     const GroomGuides fitted = groom_guides(job.groom);
     if (fitted.fits.empty()) {
         throw InputError(fmt::format("{}: holds guides already, there is nothing to fit",
@@ -45,7 +45,7 @@ int fit_groom(const FitOptions& options) {
         farthest[farthest.size() / 2], farthest.back());
     if (!options.output.empty()) {
         GuideCacheHeader header;
-        header.groom = job.groom.name;
+        header.groom = std::filesystem::absolute(options.groom.input).string();
         write_guide_cache(options.output, header, {&fitted.guides, 1});
         fmt::print("written to {}\n", options.output);
     }

@@ -12,6 +12,7 @@
 #include "guides/obj_file.h"
 #include "guides/scalp.h"
 #include "tools/command.h"
+#include "tools/stats.h"
 
 namespace lancret {
 
@@ -33,7 +34,7 @@ void print_range(const char* title, std::vector<double> values, const char* unit
                values.back(), values[values.size() / 2], unit);
 }
 
-void info_hair(const std::filesystem::path& file) {
+nlohmann::json info_hair(const std::filesystem::path& file) {
     HairReport report;
     const Strands strands = read_hair(file, &report);
     fmt::print("{}\n{} strands, {} points\n", file.string(), strands.size(),
@@ -69,18 +70,21 @@ void info_hair(const std::filesystem::path& file) {
         fmt::print("warning: {} strands of one point, left out\n",
                    report.dropped_strands);
     }
+    return {{"strands", strands.size()}, {"points", strands.points.size()}};
 }
 
-void info_obj(const std::filesystem::path& file) {
+nlohmann::json info_obj(const std::filesystem::path& file) {
     const Scalp scalp = make_scalp(read_obj(file));
     fmt::print("{}\n{} vertices, {} triangles, {} UVs\n", file.string(),
                scalp.mesh.positions.size(), scalp.mesh.triangles.size(),
                scalp.mesh.uvs.empty() ? "without" : "with");
     fmt::print("area: {:.4g} cm^2\n", scalp.area);
     print_box(scalp.mesh.positions);
+    return {{"vertices", scalp.mesh.positions.size()},
+            {"triangles", scalp.mesh.triangles.size()}};
 }
 
-void info_cache(const std::filesystem::path& file) {
+nlohmann::json info_cache(const std::filesystem::path& file) {
     const GuideCacheInfo info = guide_cache_info(file);
     const Guides guides = read_guide_cache(file, 0);
     fmt::print("{}\n{} guides of {} segments, {} frames from {} at {} a second\n",
@@ -91,9 +95,11 @@ void info_cache(const std::filesystem::path& file) {
     for (std::size_t g = 0; g < guides.size(); ++g)
         lengths.push_back(guide_length(guides, g));
     print_range("length", lengths, " cm");
+    return {
+        {"guides", info.guides}, {"segments", info.segments}, {"frames", info.frames}};
 }
 
-void info_groom(const std::filesystem::path& file) {
+nlohmann::json info_groom(const std::filesystem::path& file) {
     GroomOptions options;
     options.input = file;
     const Job job = read_job(options);
@@ -102,41 +108,54 @@ void info_groom(const std::filesystem::path& file) {
                g.strands_file.empty() ? "Lancret itself" : g.strands_file.string(),
                g.fit.segments);
     if (!g.scalp_file.empty()) fmt::print("scalp: {}\n", g.scalp_file.string());
-    const std::string children =
-        g.strands ? fmt::format("{}", *g.strands) : "as many as fit";
+    const std::string children = g.strands ? fmt::format("{}", *g.strands)
+                                           : "50000 (or one a root without a scalp)";
     fmt::print("{} children by blend {} between {} guides each\n", children,
                blend_name(g.expand.blend), g.bind.neighbours);
+    return nlohmann::json::object();
 }
 
-int info(const std::filesystem::path& file) {
+int info(const std::filesystem::path& file, const std::filesystem::path& stats_file) {
     const std::string extension = file.extension().string();
+    Stopwatch watch;
+    nlohmann::json stats;
     if (extension == ".hair") {
-        info_hair(file);
+        stats = info_hair(file);
     } else if (extension == ".obj") {
-        info_obj(file);
+        stats = info_obj(file);
     } else if (extension == ".h5") {
-        info_cache(file);
+        stats = info_cache(file);
     } else if (extension == ".toml") {
-        info_groom(file);
+        stats = info_groom(file);
     } else {
         throw InputError(
             fmt::format("{}: not a .hair, .obj, .h5 or .toml file", file.string()));
     }
+    stats["seconds"]["load"] = watch.lap();
+    write_stats(stats_file, std::move(stats));
     return kFine;
 }
 
 }  // namespace
 
 void add_info(CLI::App& app, int& exit_code) {
-    auto file = std::make_shared<std::filesystem::path>();
+    struct InfoOptions {
+        std::filesystem::path file, stats;
+    };
+    auto options = std::make_shared<InfoOptions>();
     CLI::App* command = app.add_subcommand("info", "Say what is in a file");
     command
-        ->add_option("file", *file,
+        ->add_option("file", options->file,
                      "strands (.hair), mesh (.obj), guides (.h5), groom (.toml)")
         ->required()
         ->type_name("FILE");
+    command
+        ->add_option("--stats", options->stats,
+                     "write what was read and how long it took")
+        ->type_name("JSON");
     command->footer("Examples:\n  lancret info groom.hair\n  lancret info guides.h5");
-    command->callback([file, &exit_code] { exit_code = info(*file); });
+    command->callback(
+        [options, &exit_code] { exit_code = info(options->file, options->stats); });
 }
 
 }  // namespace lancret

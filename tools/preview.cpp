@@ -25,13 +25,14 @@ const TriangleMesh* body_of(const GroomGuides& source) {
 }
 
 /// The box of the guides: what a groom means to be, whatever a stray child does.
-Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides) {
+Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides,
+                           float length_scale) {
     Eigen::AlignedBox3f box;
     const std::size_t places = profiles.count + 1;
     for (std::size_t g = 0; g < profiles.size(); ++g) {
         const Vec3f root = guides.root_positions[g].cast<float>();
         for (std::size_t i = 0; i < places; ++i) {
-            const Vec3f& local = profiles.positions[g * places + i];
+            const Vec3f local = length_scale * profiles.positions[g * places + i];
             box.extend(root + profiles.root_frames[g] * local);
         }
     }
@@ -41,7 +42,7 @@ Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& g
 int preview(const PreviewOptions& options) {
     Job job = read_job(options.groom);
     check_output(options.output, {".exr", ".png"}, options.groom, job.groom);
-    check_output(options.groom.stats, {}, options.groom, job.groom);
+    check_output(options.groom.stats, {}, options.groom, job.groom, options.output);
     RenderSettings& settings = job.preview.render;
     if (!options.size.empty()) {
         std::tie(settings.width, settings.height) = parse_size(options.size);
@@ -56,7 +57,9 @@ int preview(const PreviewOptions& options) {
     const HairScene geometry(curves, body_of(generator.source));
     const Vec3f up = job.groom.scene.up.cast<float>();
     const Camera camera = preview_camera(
-        job.preview, extent(generator.profiles, generator.source.guides), up);
+        job.preview,
+        extent(generator.profiles, generator.source.guides, job.groom.bind.length_scale),
+        up);
     RenderScene scene;
     scene.geometry = &geometry;
     scene.hair = HairModel(job.preview.hair);
