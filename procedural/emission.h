@@ -6,9 +6,9 @@
 
 namespace lancret {
 
-/// The farthest that the emitted curve of a strand lies from the strand, cm, as seen in the
-/// middle of each interval, where a helix strays most; infinity where something is not
-/// finite. `states` are places at equal steps `ds` of arc length.
+/// The farthest that the emitted curve of a strand lies from the strand, cm, as seen in
+/// the middle of each interval, where a helix strays most; infinity where something is
+/// not finite. `states` are places at equal steps `ds` of arc length.
 double emission_distance(std::span<const HelixState<float>> states, float ds,
                          CurveBasis basis);
 

@@ -98,15 +98,17 @@ void read_light(const TomlTable& light, const Vec3f& up, PreviewSettings& out) {
     if (sky && file)
         light.fail("sky", "light comes from a 'sky' or an 'environment', not both");
     if (rotation && !file)
-        light.fail("rotation_degrees", "turns an 'environment'; name one");
+        light.fail("rotation_degrees",
+                   "'rotation_degrees' turns an 'environment'; name one");
     if (radius && !sun && !irradiance) {
-        light.fail("key_radius_degrees",
-                   "belongs to a 'key' or 'key_direction'; name one");
+        light.fail(
+            "key_radius_degrees",
+            "'key_radius_degrees' belongs to a 'key' or 'key_direction'; name one");
     }
     if (!sky && !file && !sun && !irradiance) {
         if (light.has("strength")) {
             light.fail("strength",
-                       "is that of a 'sky', 'environment' or 'key'; name one");
+                       "'strength' is that of a 'sky', 'environment' or 'key'; name one");
         }
         return;
     }

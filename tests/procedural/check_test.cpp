@@ -246,5 +246,27 @@ TEST(CheckReport, HistogramCountsDecadesOfTheLengthError) {
     EXPECT_EQ(check_json(report)["length"]["histogram"], nlohmann::json(expected));
 }
 
+TEST(CheckHull, IsNotAskedWhereAnIntervalHoldsAJoint) {
+    // 26 intervals over 4 segments: those across a joint have no curvature of their own.
+    MadeHair hair{120, 26, 1, 4, 4, 0.1};
+    const Curves curves = expand(hair.binding, hair.profiles, {});
+    const CheckReport report = check(hair.binding, hair.standing.guides, hair.profiles,
+                                     curves, Blend::option1, 1, {});
+    for (const StrandCheck& s : report.strands) EXPECT_TRUE(s.inside_hull) << s.strand;
+}
+
+TEST(CheckHull, FindsAStrandThatBendsMoreThanItsGuides) {
+    // The strands are made of one set of guides and held against a straighter one.
+    MadeHair hair{120, 32, 1, 4, 4, 0.1};
+    const Curves curves = expand(hair.binding, hair.profiles, {});
+    Guides straighter = hair.standing.guides;
+    for (Vec3& u : straighter.curvatures) u *= 0.5;
+    const CheckReport report =
+        check(hair.binding, straighter, hair.profiles, curves, Blend::option1, 1, {});
+    std::size_t outside = 0;
+    for (const StrandCheck& s : report.strands) outside += !s.inside_hull;
+    EXPECT_GT(outside, report.strands.size() / 2);
+}
+
 }  // namespace
 }  // namespace lancret

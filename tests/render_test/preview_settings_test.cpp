@@ -1,0 +1,38 @@
+#include "render_test/preview_settings.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/guides/temporary_folder.h"
+
+namespace lancret {
+namespace {
+
+std::string error_of(std::string_view text) {
+    return input_error([&] {
+        const TomlTable toml = TomlTable::from_text(text, "g.toml");
+        read_preview_settings(toml, Vec3f::UnitY());
+        toml.finish();
+    });
+}
+
+TEST(PreviewSettings, LightsThatWouldDoNothingAreErrors) {
+    EXPECT_EQ(
+        error_of("[light]\nstrength = 2\n"),
+        "g.toml:2: 'strength' is that of a 'sky', 'environment' or 'key'; name one");
+    EXPECT_EQ(error_of("[light]\nsky = [1, 1, 1]\nrotation_degrees = 9\n"),
+              "g.toml:3: 'rotation_degrees' turns an 'environment'; name one");
+    EXPECT_EQ(
+        error_of("[light]\nkey_radius_degrees = 9\n"),
+        "g.toml:2: 'key_radius_degrees' belongs to a 'key' or 'key_direction'; name one");
+}
+
+TEST(PreviewSettings, StrengthTimesTheSkyIsTheRadianceSeen) {
+    const TomlTable toml =
+        TomlTable::from_text("[light]\nsky = [1, 2, 3]\nstrength = 2\n", "g.toml");
+    const PreviewSettings settings = read_preview_settings(toml, Vec3f::UnitY());
+    ASSERT_TRUE(settings.lights);
+    EXPECT_LT((settings.lights->radiance(Vec3f::UnitX()) - Vec3f(2, 4, 6)).norm(), 1e-6f);
+}
+
+}  // namespace
+}  // namespace lancret
