@@ -1,6 +1,9 @@
 // Outputs that cannot be written are found out before the work; a run that fails leaves
 // everything as it was.
 
+#include <fstream>
+#include <nlohmann/json.hpp>
+
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {
@@ -93,6 +96,29 @@ TEST(Output, OverTheGroomItselfIsRefused) {
     EXPECT_THAT(lancret({"expand", folder.hair, "--strands", "9", "-o", folder.hair}),
                 refuses_with("lawn.hair"));
     EXPECT_EQ(read_bytes(folder.hair), before);
+}
+
+TEST(Output, CannotBeTheOtherOutput) {
+    const SmallGrooms folder;
+    const std::size_t files = folder.files();
+    const std::string file = folder.at("both.json");
+    EXPECT_THAT(lancret({"check", folder.made, "--json", file, "--stats", file}),
+                refuses_with(file, "two outputs"));
+    EXPECT_EQ(folder.files(), files);
+}
+
+TEST(Output, OfAFitNamesTheGroomThatPreviewThenFinds) {
+    // The groom asks for 60 children on its own scalp; the cache alone has 40 roots.
+    const SmallGrooms folder;
+    const std::string cache = folder.at("guides.h5");
+    ASSERT_EQ(lancret({"fit", folder.made, "-o", cache}).exit_code, 0);
+    const std::string stats = folder.at("stats.json");
+    ASSERT_EQ(lancret({"expand", cache, "--stats", stats}).exit_code, 0);
+    const nlohmann::json of_cache = nlohmann::json::parse(std::ifstream(stats));
+    ASSERT_EQ(lancret({"expand", folder.made, "--stats", stats}).exit_code, 0);
+    const nlohmann::json of_groom = nlohmann::json::parse(std::ifstream(stats));
+    EXPECT_EQ(of_cache["strands"], of_groom["strands"]);
+    EXPECT_NE(of_cache["strands"], of_cache["guides"]);
 }
 
 }  // namespace
