@@ -13,7 +13,7 @@ namespace lancret {
 /// The most guides that a child can have.
 inline constexpr int kMaxNeighbours = 8;
 
-/// What is blended; DESIGN of each in its own blend_*.cpp.
+/// What is blended; each has its own blend_*.cpp.
 enum class Blend {
     option1,   ///< curvature, torsion and root frame [TW99, Sec. 4.3, option 1]
     position,  ///< positions from the root, as other generators do: for comparison

@@ -4,7 +4,7 @@
 // As printed, the blended curvature is a quotient that grows without bound where the
 // guides' normals cancel, and the torsion one more that fails at inflections. Both are
 // kept inside the hull of the guides' values, and both quotients lean on a weighted mean
-// where they lose their meaning, so that the result stays continuous.
+// where they lose their meaning. What is left of their jumps stays inside that hull.
 
 #include <algorithm>
 #include <array>

@@ -22,9 +22,10 @@ struct CheckTolerances {
 /// What was found on one strand.
 struct StrandCheck {
     std::uint32_t strand = 0;
-    bool finite = true;              ///< every place, frame and control point
-    bool inside_bound = true;        ///< the tip, in the curves' box and within reach
-    bool inside_hull = true;         ///< kappa and tau, between those of its guides
+    bool finite = true;        ///< every place, frame and control point
+    bool inside_bound = true;  ///< the tip, in the curves' box and within reach
+    bool inside_hull =
+        true;  ///< kappa and tau, between its guides', where no joint is near
     float orthogonality = 0;         ///< max |R^T R - I| over its places
     float length_error = 0;          ///< arc length over intended length - 1
     float emitted_length_error = 0;  ///< the same for the control points' curve

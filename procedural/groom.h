@@ -49,7 +49,7 @@ struct Groom {
     std::filesystem::path scalp_file;  ///< .obj; empty without one
     std::optional<double>
         growth_distance;  ///< cm from the groom's strands; none: by spacing
-    std::optional<std::uint32_t> strands;  ///< children; none: as many as of child_count
+    std::optional<std::uint32_t> strands;  ///< children; none: child_count says
     std::uint64_t seed = 0;
     BindSettings bind;
     ExpandSettings expand;
