@@ -2,6 +2,7 @@
 // One Super-Helix as the dynamics sees it.
 
 #include <span>
+#include <vector>
 
 #include "guides/root_motion.h"
 #include "sim/rod_section.h"
@@ -15,6 +16,12 @@ struct Rod {
     RodSection section;
 
     int segments() const { return int(lengths.size()); }
+};
+
+/// Where a rod is at a time, by itself.
+struct RodPose {
+    HelixState<double> root;
+    std::vector<Vec3> curvatures;  ///< [segments], 1/cm
 };
 
 /// Where a rod is and how it moves. The generalised coordinates q are all (k0, k1, k2).

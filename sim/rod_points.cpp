@@ -48,14 +48,15 @@ struct Joint {
     }
 };
 
-SegmentQuadrature quadrature(const Rod& rod, const RodState& state,
-                             const PointLayout& layout, const Joint& joint, int q) {
+SegmentQuadrature quadrature(double length, const Vec3& darboux,
+                             const PointLayout& layout, const HelixState<double>& start,
+                             int q) {
     SegmentQuadrature out;
-    out.darboux = state.curvatures[q];
-    out.length = rod.lengths[q];
+    out.darboux = darboux;
+    out.length = length;
     out.points = layout.points(q);
-    out.frame = joint.motion.pose.frame;
-    out.start = joint.motion.pose.position;
+    out.frame = start.frame;
+    out.start = start.position;
     return out;
 }
 
@@ -70,16 +71,32 @@ void PointLayout::lay_out(std::span<const double> lengths,
     }
 }
 
-void point_motion(const Rod& rod, const RodState& state, const PointLayout& layout,
-                  PointVectors& places, PointVectors& velocities) {
+void point_places(std::span<const double> lengths, const HelixState<double>& root,
+                  std::span<const Vec3> curvatures, const PointLayout& layout,
+                  PointVectors& places, std::vector<Vec3>& joints) {
     places.resize(layout.size());
+    joints.resize(lengths.size());
+    HelixState<double> joint = root;
+    for (int q = 0; q < layout.segments(); ++q) {
+        segment_places(quadrature(lengths[q], curvatures[q], layout, joint, q),
+                       places.at(layout.first(q)), places.stride());
+        advance<double>(joint, curvatures[q], lengths[q]);
+        joints[q] = joint.position;
+    }
+}
+
+void point_velocities(const Rod& rod, const RodState& state, const PointLayout& layout,
+                      PointVectors& velocities, std::vector<Vec3>& joints) {
     velocities.resize(layout.size());
+    joints.resize(rod.lengths.size());
     Joint joint{state.root};
     for (int q = 0; q < rod.segments(); ++q) {
-        segment_places(quadrature(rod, state, layout, joint, q),
-                       joint.segment_motion(state.rates[q]), places.at(layout.first(q)),
-                       velocities.at(layout.first(q)), places.stride());
+        segment_velocities(
+            quadrature(rod.lengths[q], state.curvatures[q], layout, joint.motion.pose, q),
+            joint.segment_motion(state.rates[q]), velocities.at(layout.first(q)),
+            velocities.stride());
         joint.advance(segment_end(state.curvatures[q], rod.lengths[q]), state.rates[q]);
+        joints[q] = joint.motion.velocity;
     }
 }
 
@@ -88,10 +105,10 @@ void point_bias(const Rod& rod, const RodState& state, const PointLayout& layout
     bias.resize(layout.size());
     Joint joint{state.root};
     for (int q = 0; q < rod.segments(); ++q) {
-        segment_bias(quadrature(rod, state, layout, joint, q),
-                     joint.segment_motion(state.rates[q]), joint.motion.acceleration,
-                     joint.motion.angular_acceleration, bias.at(layout.first(q)),
-                     bias.stride());
+        segment_bias(
+            quadrature(rod.lengths[q], state.curvatures[q], layout, joint.motion.pose, q),
+            joint.segment_motion(state.rates[q]), joint.motion.acceleration,
+            joint.motion.angular_acceleration, bias.at(layout.first(q)), bias.stride());
         joint.advance_with_bias(segment_end(state.curvatures[q], rod.lengths[q]),
                                 state.rates[q], state.curvatures[q], rod.lengths[q]);
     }

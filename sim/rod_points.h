@@ -49,9 +49,15 @@ class PointVectors {
     std::size_t stride_ = 0;
 };
 
-/// Places (cm) and velocities (cm/s) of all points in a state. Resizes both.
-void point_motion(const Rod& rod, const RodState& state, const PointLayout& layout,
-                  PointVectors& places, PointVectors& velocities);
+/// Places of all points, cm, and of the joints from the end of the first segment to the
+/// tip. Resizes both.
+void point_places(std::span<const double> lengths, const HelixState<double>& root,
+                  std::span<const Vec3> curvatures, const PointLayout& layout,
+                  PointVectors& places, std::vector<Vec3>& joints);
+
+/// Velocities of all points and of those joints, cm/s. Resizes both.
+void point_velocities(const Rod& rod, const RodState& state, const PointLayout& layout,
+                      PointVectors& velocities, std::vector<Vec3>& joints);
 
 /// What the points' accelerations are without q'', cm/s^2: the root's motion and all that
 /// is quadratic in velocities [Bergbom07, Eq. 4.36, corrected], by one recursion from the

@@ -49,7 +49,7 @@ void store(const Vec3L& v, double* to, std::size_t stride, int i) {
     for (int c = 0; c < 3; ++c) v[c].store(to + c * stride + i);
 }
 
-/// The vectors that p' and p'' are sums of, with factors that depend on u alone.
+/// The vectors that p, p' and p'' are sums of, with factors that depend on u alone.
 struct RateVectors {
     Vec3 turn, turn_rate;       ///< K e0, k' x e0
     Vec3 square, cross, rates;  ///< K^2 e0, its derivative by k', its second one
@@ -66,6 +66,14 @@ struct RateVectors {
         rates = 2 * (rate.x() * rate - speed * e0);
     }
 };
+
+/// p at arc length u.
+Vec3L place(const RateVectors& r, const Lanes& u, const Stumpff<Lanes>& c) {
+    const Lanes a2 = u * u * c.c2, a3 = u * u * u * c.c3;
+    return {u + a3 * Lanes(r.square.x()),
+            a2 * Lanes(r.turn.y()) + a3 * Lanes(r.square.y()),
+            a2 * Lanes(r.turn.z()) + a3 * Lanes(r.square.z())};
+}
 
 /// p' = J k' at arc length u.
 Vec3L relative_velocity(const RateVectors& r, const Lanes& u, const Stumpff<Lanes>& c) {
@@ -163,21 +171,30 @@ double segment_half_square(const SegmentQuadrature& segment) {
     return sum.sum() / 2;
 }
 
-void segment_places(const SegmentQuadrature& segment, const SegmentMotion& motion,
-                    double* places, double* velocities, std::size_t stride) {
+void segment_places(const SegmentQuadrature& segment, double* places,
+                    std::size_t stride) {
     const GaussRule rule = gauss_rule(segment.points);
     const int halvings = halvings_of(segment);
-    const RateVectors rates(segment.darboux, motion.rates);
     const Lanes square(segment.darboux.squaredNorm());
+    const RateVectors fixed(segment.darboux, Vec3::Zero());
     for (int i = 0; i < segment.points; i += Lanes::kCount) {
         const Lanes u = Lanes(segment.length) * Lanes::load(&rule.nodes[i]);
         const auto c = stumpff_functions<Lanes>(u * u * square, halvings);
-        const Lanes a2 = u * u * c.c2, a3 = u * u * u * c.c3;
-        const Vec3L p = {u + a3 * Lanes(rates.square.x()),
-                         a2 * Lanes(rates.turn.y()) + a3 * Lanes(rates.square.y()),
-                         a2 * Lanes(rates.turn.z()) + a3 * Lanes(rates.square.z())};
-        const Vec3L d = turned(segment.frame, p);
-        store(spread(segment.start) + d, places, stride, i);
+        store(spread(segment.start) + turned(segment.frame, place(fixed, u, c)), places,
+              stride, i);
+    }
+}
+
+void segment_velocities(const SegmentQuadrature& segment, const SegmentMotion& motion,
+                        double* velocities, std::size_t stride) {
+    const GaussRule rule = gauss_rule(segment.points);
+    const int halvings = halvings_of(segment);
+    const Lanes square(segment.darboux.squaredNorm());
+    const RateVectors rates(segment.darboux, motion.rates);
+    for (int i = 0; i < segment.points; i += Lanes::kCount) {
+        const Lanes u = Lanes(segment.length) * Lanes::load(&rule.nodes[i]);
+        const auto c = stumpff_functions<Lanes>(u * u * square, halvings);
+        const Vec3L d = turned(segment.frame, place(rates, u, c));
         const Vec3L relative = turned(segment.frame, relative_velocity(rates, u, c));
         store(spread(motion.velocity) + cross(spread(motion.angular_velocity), d) +
                   relative,
@@ -197,11 +214,7 @@ void segment_bias(const SegmentQuadrature& segment, const SegmentMotion& motion,
         const Lanes u = Lanes(segment.length) * Lanes::load(&rule.nodes[i]);
         StumpffTail<Lanes> tail;
         const auto c = stumpff_functions<Lanes>(u * u * square, halvings, tail);
-        const Lanes a2 = u * u * c.c2, a3 = u * u * u * c.c3;
-        const Vec3L p = {u + a3 * Lanes(rates.square.x()),
-                         a2 * Lanes(rates.turn.y()) + a3 * Lanes(rates.square.y()),
-                         a2 * Lanes(rates.turn.z()) + a3 * Lanes(rates.square.z())};
-        const Vec3L d = turned(segment.frame, p);
+        const Vec3L d = turned(segment.frame, place(rates, u, c));
         const Vec3L relative = turned(segment.frame, relative_velocity(rates, u, c));
         const Vec3L own = turned(segment.frame, relative_bias(rates, u, c, tail));
         store(spread(acceleration) + cross(spread(angular_acceleration), d) +

@@ -39,6 +39,10 @@ SegmentSums segment_sums(const SegmentQuadrature& segment);
 /// w |e|^2 / 2 alone.
 double segment_half_square(const SegmentQuadrature& segment);
 
+/// Places of the points in space, cm, [3][points]: structure of arrays with the given
+/// stride between x, y and z.
+void segment_places(const SegmentQuadrature& segment, double* places, std::size_t stride);
+
 /// How the points of a segment move at an instant.
 struct SegmentMotion {
     Vec3 rates;             ///< k', 1/(cm s)
@@ -46,10 +50,9 @@ struct SegmentMotion {
     Vec3 angular_velocity;  ///< of its frame, rad/s
 };
 
-/// Places of the points in space (cm) and their velocities (cm/s), [3][points] each:
-/// structure of arrays with the given stride between x, y and z.
-void segment_places(const SegmentQuadrature& segment, const SegmentMotion& motion,
-                    double* places, double* velocities, std::size_t stride);
+/// Velocities of the points, cm/s.
+void segment_velocities(const SegmentQuadrature& segment, const SegmentMotion& motion,
+                        double* velocities, std::size_t stride);
 
 /// What the points' acceleration is without k'', [3][points], cm/s^2: a + alpha x d +
 /// omega x (omega x d) + 2 omega x F p' + F p'', with p' = J k', p'' = D^2 p [k', k']

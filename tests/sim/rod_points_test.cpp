@@ -45,7 +45,9 @@ TEST(RodPoints, MotionAndBiasAreDifferencesOfPlaces) {
         PointLayout layout;
         layout.lay_out(rod.lengths, rod.curvatures);
         PointVectors places, velocities, bias;
-        point_motion(rod.rod(), rod.state(), layout, places, velocities);
+        std::vector<Vec3> joints, joint_velocities;
+        point_places(rod.lengths, rod.root.pose, rod.curvatures, layout, places, joints);
+        point_velocities(rod.rod(), rod.state(), layout, velocities, joint_velocities);
         point_bias(rod.rod(), rod.state(), layout, bias);
         // Central differences: h^2 r''' / 6 and h^2 r'''' / 12 against eps / h and
         // 4 eps / h^2: about 1e-7 for second ones at h = 1e-4 (derivatives of order 100).
