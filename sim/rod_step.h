@@ -91,6 +91,8 @@ class RodStepper {
                     std::span<Vec3> curvatures, std::span<Vec3> rates, RodPast& past,
                     RodPotential* potential = nullptr);
 
+    /// The linearisation about the curvatures that the last step came to.
+    RodSystem& system() { return system_; }
     /// What the last linear system's solver told.
     const SolveReport& last_solve() const { return last_solve_; }
 

@@ -109,25 +109,38 @@ void RodSystem::linearize(const HelixState<double>& root, std::span<const double
     }
 }
 
-void RodSystem::add_point(int segment, double u, const Mat3& stiffness,
-                          const Vec3& force) {
-    Segment& s = segments_[segment];
-    const auto [p, j] = segment_point<double>(
-        s.darboux.data(), u, stumpff_halvings(u * u * s.darboux.squaredNorm()));
-    const Mat3 jacobian =
-        s.frame *
+RodSystem::Point RodSystem::point(int segment, double u) const {
+    const Segment& s = segments_[segment];
+    const int halvings = stumpff_halvings(u * u * s.darboux.squaredNorm());
+    const auto [p, j] = segment_point<double>(s.darboux.data(), u, halvings);
+    const Mat3 local =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&j[0][0]);
-    const Vec3 r = s.frame * Vec3::Map(p);
-    const Mat3 pulled = stiffness * jacobian, turned = crossed(r, stiffness);
-    s.gram += jacobian.transpose() * pulled;
+    return {segment, s.start + s.frame * Vec3::Map(p), s.frame * local};
+}
+
+void RodSystem::add(const Point& point, const Mat3& stiffness, const Vec3& force) {
+    Segment& s = segments_[point.segment];
+    const Vec3 r = point.place - s.start;
+    const Mat3 pulled = stiffness * point.jacobian, turned = crossed(r, stiffness);
+    s.gram += point.jacobian.transpose() * pulled;
     s.force += pulled;
     s.moment += crossed(r, pulled);
     s.ll += stiffness;
     s.al += turned;
     s.aa += crossed(r, turned.transpose());
-    s.load += jacobian.transpose() * force;
+    s.load += point.jacobian.transpose() * force;
     s.moment_load += r.cross(force);
     s.force_load += force;
+}
+
+void RodSystem::forces(std::span<Vec3> f) const {
+    Vec3 moment = Vec3::Zero(), force = Vec3::Zero();
+    for (int q = segments(); q-- > 0;) {
+        const Segment& s = segments_[q];
+        f[q] = s.load + s.turn.transpose() * moment + s.move.transpose() * force;
+        moment += s.offset.cross(force) + s.moment_load;
+        force += s.force_load;
+    }
 }
 
 void RodSystem::solve(std::span<const Vec3> diagonal, std::span<const Vec3> load,

@@ -31,10 +31,21 @@ class RodSystem {
         return {segments_[segment].frame, segments_[segment].start};
     }
 
+    /// A point of the rod and how it answers to the curvatures of its own segment.
+    struct Point {
+        int segment;
+        Vec3 place;     ///< in space, cm
+        Mat3 jacobian;  ///< in space, cm^2
+    };
+    /// The point at arc length u (cm) from the start of a segment.
+    Point point(int segment, double u) const;
+
     /// Adds a spring of stiffness matrix H (symmetric, positive semi-definite) and a
-    /// force at the point at arc length u from the start of a segment: J^T H J to M and
-    /// J^T force to f.
-    void add_point(int segment, double u, const Mat3& stiffness, const Vec3& force);
+    /// force at a point: J^T H J to M and J^T force to f.
+    void add(const Point& point, const Mat3& stiffness, const Vec3& force);
+
+    /// The generalised force f, [segments].
+    void forces(std::span<Vec3> f) const;
 
     /// Solves by the recursion. `diagonal` is D, each above 0, and `load` is added to f;
     /// all are [segments]. M + D is symmetric and positive definite always, and so is

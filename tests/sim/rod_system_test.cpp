@@ -146,7 +146,7 @@ TEST(RodSystem, PointTermsAreTheirJacobians) {
     at.system.assemble(zero, zero, before, force_before);
     const Vec3 a = random_vector(random, 1), force = random_vector(random, 1);
     const Mat3 stiffness = a * a.transpose() + 0.3 * Mat3::Identity();
-    at.system.add_point(2, 0.4 * rod.lengths[2], stiffness, force);
+    at.system.add(at.system.point(2, 0.4 * rod.lengths[2]), stiffness, force);
     at.system.assemble(zero, zero, after, force_after);
     const SuperHelix helix{rod.root.pose, rod.lengths, rod.curvatures};
     const double s = rod.lengths[0] + rod.lengths[1] + 0.4 * rod.lengths[2];
@@ -157,6 +157,12 @@ TEST(RodSystem, PointTermsAreTheirJacobians) {
               1e-13 * after.norm());
     EXPECT_LT((force_after - force_before - j.transpose() * force).norm(),
               1e-13 * force_after.norm());
+    std::vector<Vec3> forces(4);
+    at.system.forces(forces);
+    for (int q = 0; q < 4; ++q) {
+        EXPECT_LT((forces[q] - force_after.segment<3>(3 * q)).norm(),
+                  1e-14 * force_after.norm());
+    }
 }
 
 TEST(RodSystem, ForceIsTheGradientOfTheSquare) {

@@ -1,0 +1,96 @@
+#include "sim/restart_arrays.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace lancret {
+
+namespace {
+
+void check(bool fine, const char* what) {
+    if (!fine) throw std::invalid_argument(std::string("restart: ") + what);
+}
+
+}  // namespace
+
+void write(const Vec3& v, std::vector<double>& out) {
+    out.insert(out.end(), v.begin(), v.end());
+}
+
+void write(const RodPast& past, int segments, std::vector<double>& out) {
+    out.push_back(past.size);
+    out.push_back(past.eps);
+    for (const RodPose& pose : past.poses) {
+        // Poses beyond the size are room that was never used, or is of no use.
+        const bool used = &pose - past.poses < past.size;
+        write(used ? pose.root.position : Vec3::Zero(), out);
+        for (int c = 0; c < 3; ++c) {
+            write(used ? Vec3(pose.root.frame.col(c)) : Vec3::Unit(c), out);
+        }
+        for (int q = 0; q < segments; ++q) {
+            write(used ? pose.curvatures[std::size_t(q)] : Vec3::Zero(), out);
+        }
+    }
+}
+
+void write(const ContactAnchor& anchor, std::vector<double>& out) {
+    // An infinite distance is no number for a file; without a body it says nothing.
+    const SurfaceSample body = anchor.touches() ? anchor.body : SurfaceSample{0};
+    for (const double x :
+         {body.distance, double(body.collider), double(body.triangle), anchor.pressure}) {
+        out.push_back(x);
+    }
+    for (const Vec3& v : {body.normal, body.point, anchor.place}) write(v, out);
+}
+
+ArrayReader::ArrayReader(const RestartArrays& arrays, const char* name) {
+    const auto found = arrays.find(name);
+    check(found != arrays.end(), "misses an array");
+    left_ = found->second;
+}
+
+double ArrayReader::number() {
+    check(!left_.empty(), "is too short");
+    const double out = left_.front();
+    check(std::isfinite(out), "holds what is no number");
+    left_ = left_.subspan(1);
+    return out;
+}
+
+int ArrayReader::whole(int low, int high) {
+    const double x = number();
+    check(x >= low && x <= high && x == std::floor(x), "holds a count that cannot be");
+    return int(x);
+}
+
+Vec3 ArrayReader::vector() {
+    const double x = number(), y = number(), z = number();
+    return {x, y, z};
+}
+
+void read(ArrayReader& from, int segments, RodPast& past) {
+    past.size = from.whole(0, RodPast::kMost);
+    past.eps = from.number();
+    check(past.size == 0 || past.eps > 0, "holds a step that cannot be");
+    for (RodPose& pose : past.poses) {
+        pose.root.position = from.vector();
+        for (int c = 0; c < 3; ++c) pose.root.frame.col(c) = from.vector();
+        pose.curvatures.resize(std::size_t(segments));
+        for (Vec3& k : pose.curvatures) k = from.vector();
+    }
+}
+
+void read(ArrayReader& from, int colliders, ContactAnchor& anchor) {
+    anchor = {};
+    SurfaceSample& body = anchor.body;
+    body.distance = from.number();
+    body.collider = from.whole(-1, colliders - 1);
+    body.triangle = std::uint32_t(from.whole(0, 0x7fffffff));
+    anchor.pressure = from.number();
+    body.normal = from.vector();
+    body.point = from.vector();
+    anchor.place = from.vector();
+}
+
+}  // namespace lancret

@@ -1,0 +1,42 @@
+#include "sim/sag_free.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "sim/rod_system.h"
+
+namespace lancret {
+
+std::vector<Vec3> sag_free_natural(const HelixState<double>& root,
+                                   std::span<const double> lengths,
+                                   std::span<const Vec3> curvatures,
+                                   const RodSection& section, const Vec3& gravity) {
+    PointLayout layout;
+    layout.lay_out(lengths, curvatures);
+    PointVectors targets;
+    std::vector<Vec3> joints, out(lengths.size());
+    // Springs of strength rho S to places that lie g further pull by the weight.
+    point_places(lengths, root, curvatures, layout, targets, joints);
+    for (int i = 0; i < layout.size(); ++i) targets.set(i, targets.get(i) + gravity);
+    RodSystem system;
+    system.linearize(root, lengths, curvatures, layout, targets, section.linear_density);
+    system.forces(out);
+    for (std::size_t q = 0; q < out.size(); ++q) {
+        out[q] = curvatures[q] - out[q].cwiseQuotient(lengths[q] * section.stiffness);
+    }
+    return out;
+}
+
+std::vector<Vec3> sag_free_natural(const Guides& guides, const RodSection& section,
+                                   const Vec3& gravity) {
+    std::vector<Vec3> out(guides.curvatures.size());
+    tbb::parallel_for(std::size_t(0), guides.size(), [&](std::size_t g) {
+        const auto one = sag_free_natural(guides.root(g), guides.lengths_of(g),
+                                          guides.curvatures_of(g), section, gravity);
+        std::ranges::copy(one, out.begin() + long(g) * guides.segments);
+    });
+    return out;
+}
+
+}  // namespace lancret

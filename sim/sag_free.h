@@ -1,0 +1,22 @@
+#pragma once
+// A groom that does not drop on frame 1.
+
+#include <vector>
+
+#include "guides/guides.h"
+#include "sim/rod.h"
+
+namespace lancret {
+
+/// Natural curvatures with which a rod rests at `curvatures` under gravity:
+/// K (q - q_n) = generalised gravity, a solution for each segment by itself.
+std::vector<Vec3> sag_free_natural(const HelixState<double>& root,
+                                   std::span<const double> lengths,
+                                   std::span<const Vec3> curvatures,
+                                   const RodSection& section, const Vec3& gravity);
+
+/// The same for all guides, [guides * segments].
+std::vector<Vec3> sag_free_natural(const Guides& guides, const RodSection& section,
+                                   const Vec3& gravity);
+
+}  // namespace lancret
