@@ -216,8 +216,7 @@ TEST_F(StoredFrames, AKillWhileTheFolderIsRemovedLosesNothing) {
 
 TEST_F(StoredFrames, ARunKilledAtAnyMomentComesToTheSameBytes) {
     const std::string whole = whole_run();
-    // Killed after 0.2 ms, 0.4 ms, ...; a whole run takes some 10 ms. Whatever the
-    // machine's speed the last run is not killed.
+    // Killed after 0.2 ms, 0.4 ms, ...; a whole run takes some 10 ms.
     for (int i = 1; i <= 60; ++i) {
         const pid_t child = fork();
         ASSERT_GE(child, 0);
