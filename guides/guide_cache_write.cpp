@@ -225,7 +225,8 @@ GuideCacheWriter::GuideCacheWriter(const std::filesystem::path& path,
                                    const Guides* rest) {
     require(frames > 0, "there are no frames");
     const Session session;
-    auto state = std::make_unique<State>(path, hsize_t(frames));  // goes before the session
+    auto state =
+        std::make_unique<State>(path, hsize_t(frames));  // goes before the session
     const Writer& writer = state->writer;
     writer.check(state->file.good());
     writer.attribute("format", kFormat);
