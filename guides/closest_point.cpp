@@ -78,11 +78,18 @@ struct Search {
     Vec3 place;
     Nearest best;
     std::uint32_t triangle = 0;
+
+    /// The tree works in float: the radius keeps a margin above the rounding of its boxes
+    /// and of the place, so that it never passes over a triangle that is nearer, or as
+    /// near, in double.
+    float radius() const {
+        const double distance = std::sqrt(best.distance2);
+        return float(distance +
+                     1e-6 * (distance + tree->reach + place.cwiseAbs().maxCoeff()));
+    }
 };
 
-/// Tries a triangle and draws the tree's search in around the best so far. The tree works
-/// in float: the radius keeps a margin above the rounding of its boxes and of the place,
-/// so that it never passes over a triangle that is nearer, or as near, in double.
+/// Tries a triangle and draws the tree's search in around the best so far.
 template <class Tree>
 bool try_triangle(RTCPointQueryFunctionArguments* args) {
     auto& search = *static_cast<Search<Tree>*>(args->userPtr);
@@ -93,10 +100,7 @@ bool try_triangle(RTCPointQueryFunctionArguments* args) {
     }
     search.best = found;
     search.triangle = args->primID;
-    const double distance = std::sqrt(found.distance2);
-    const double margin =
-        1e-6 * (distance + search.tree->reach + search.place.cwiseAbs().maxCoeff());
-    args->query->radius = float(distance + margin);
+    args->query->radius = search.radius();
     return true;
 }
 
@@ -147,21 +151,24 @@ ClosestPoint::~ClosestPoint() = default;
 ClosestPoint::ClosestPoint(ClosestPoint&&) noexcept = default;
 ClosestPoint& ClosestPoint::operator=(ClosestPoint&&) noexcept = default;
 
-ClosestResult ClosestPoint::closest(const Vec3& place) const {
-    Search<Tree> search{tree_.get(), place, {}, 0};
+ClosestResult ClosestPoint::closest(const Vec3& place, double within) const {
+    // A triangle at just `within`, after round-off, still counts; none has this index.
+    constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    Search<Tree> search{tree_.get(), place, {}, kNone};
+    search.best.distance2 = within * within;
     RTCPointQuery query;
     query.x = float(place.x());
     query.y = float(place.y());
     query.z = float(place.z());
     query.time = 0;
-    query.radius = std::numeric_limits<float>::infinity();
+    query.radius = search.radius();
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
     rtcPointQuery(tree_->scene, &query, &context, nullptr, &search);
 
     // Where the tree found nothing (a place beyond what float distances can square),
     // every triangle is tried.
-    if (std::isinf(search.best.distance2)) {
+    if (search.triangle == kNone && std::isinf(search.best.distance2)) {
         for (std::uint32_t i = 0; i < tree_->mesh.triangles.size(); ++i) {
             const Nearest found = tree_->nearest(i, place);
             if (found.distance2 < search.best.distance2) {
@@ -170,14 +177,19 @@ ClosestResult ClosestPoint::closest(const Vec3& place) const {
             }
         }
     }
+    ClosestResult result;
+    if (search.triangle == kNone) {
+        result.distance = std::numeric_limits<double>::infinity();
+        return result;
+    }
     const auto& t = tree_->mesh.triangles[search.triangle];
     const Vec3 p0 = tree_->mesh.positions[t[0]].cast<double>();
     const Vec3 e1 = tree_->mesh.positions[t[1]].cast<double>() - p0;
     const Vec3 e2 = tree_->mesh.positions[t[2]].cast<double>() - p0;
-    ClosestResult result;
     const float u = float(search.best.u);
     result.point = {search.triangle, u, std::min(float(search.best.v), 1 - u)};
     result.position = p0 + search.best.u * e1 + search.best.v * e2;
+    result.uv = {search.best.u, search.best.v};
     result.distance = std::sqrt(search.best.distance2);
     return result;
 }

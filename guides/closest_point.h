@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "guides/triangle_mesh.h"
@@ -10,7 +11,9 @@ namespace lancret {
 struct ClosestResult {
     MeshPoint point;
     Vec3 position = Vec3::Zero();  ///< cm, to double precision: MeshPoint rounds
-    double distance = 0;           ///< cm, from the place asked for
+    /// The point's u and v before rounding. 0, or u + v = 1 to 2 ulp, on an edge.
+    Vec2 uv = Vec2::Zero();
+    double distance = 0;  ///< cm, from the place asked for
 };
 
 /// Answers which point of a mesh is closest, by a tree over its triangles. Triangles
@@ -27,7 +30,10 @@ class ClosestPoint {
     /// The closest point to `place` (cm, finite). Of several triangles at the same
     /// distance the one of the lowest index, so the answer is the same each time. Safe to
     /// call from many threads.
-    ClosestResult closest(const Vec3& place) const;
+    /// Nothing further than `within` (cm, >= 0) is looked for, which is much the faster:
+    /// where there is nothing the distance is +infinity and the rest has no meaning.
+    ClosestResult closest(const Vec3& place,
+                          double within = std::numeric_limits<double>::infinity()) const;
 
   private:
     struct Tree;

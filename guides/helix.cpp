@@ -2,13 +2,6 @@
 
 namespace lancret {
 
-namespace {
-
-/// dc2/dx and dc3/dx of the step kernel, x = t^2.
-struct KernelSlope {
-    double c2, c3;
-};
-
 KernelSlope kernel_slope(double x) {
     if (x < 1) {
         // Term by term: c2 = sum (-x)^n / (2n + 2)!, c3 = sum (-x)^n / (2n + 3)!.
@@ -26,8 +19,6 @@ KernelSlope kernel_slope(double x) {
     const StepKernel<double> k = step_kernel(x);
     return {(k.c1 - 2 * k.c2) / (2 * x), (k.c2 - 3 * k.c3) / (2 * x)};
 }
-
-}  // namespace
 
 HelixStepDerivative helix_step_derivative(const Vec3& u, double ds) {
     // The step depends on w = u ds alone, but for a factor ds of the displacement:

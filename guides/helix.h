@@ -59,6 +59,14 @@ StepKernel<T> step_kernel(T x) {
     return {sine / t, 2 * half_sine * half_sine / x, (t - sine) / (t * x)};
 }
 
+/// dc2/dx and dc3/dx of the step kernel, x = t^2.
+struct KernelSlope {
+    double c2, c3;
+};
+
+/// The kernel's slope at x = t^2 >= 0, smooth at zero.
+KernelSlope kernel_slope(double x);
+
 /// What one step does, told in the frame at its start.
 template <class T>
 struct HelixStep {

@@ -125,6 +125,30 @@ TEST(ClosestPoint, TiesGoToTheLowestTriangle) {
     }
 }
 
+TEST(ClosestPoint, WithinADistanceFindsTheSameOrNothing) {
+    const ClosestPoint closest(sphere_mesh(16));
+    std::mt19937 random(4);
+    std::normal_distribution<double> normal;
+    int found = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 place(normal(random), normal(random), normal(random));
+        const ClosestResult any = closest.closest(place);
+        for (const double within : {0.0, 0.1, 0.5, any.distance}) {
+            const ClosestResult near = closest.closest(place, within);
+            // The square of a distance's root is off by an ulp: just there it may go
+            // either way.
+            if (std::abs(any.distance - within) <= 1e-15 * within) continue;
+            EXPECT_EQ(std::isfinite(near.distance), any.distance < within);
+            if (!(any.distance < within)) continue;
+            ++found;
+            EXPECT_EQ(near.distance, any.distance);
+            EXPECT_EQ(near.position, any.position);
+            EXPECT_EQ(near.point.triangle, any.point.triangle);
+        }
+    }
+    EXPECT_GT(found, 500);
+}
+
 TEST(ClosestPoint, AnswersTheSameFromManyThreads) {
     const ClosestPoint closest(sphere_mesh(32));
     std::mt19937 random(3);

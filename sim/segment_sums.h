@@ -1,0 +1,65 @@
+#pragma once
+// The integrals over a segment that the dynamics is made of, by Gauss quadrature.
+
+#include "guides/types.h"
+
+namespace lancret {
+
+/// Places that the points of a segment are drawn to, cm, in space: structure of arrays.
+struct PointTargets {
+    const double *x, *y, *z;  ///< [points]
+};
+
+/// A segment as quadrature sees it.
+struct SegmentQuadrature {
+    Vec3 darboux;       ///< k, 1/cm
+    double length = 0;  ///< cm
+    int points = 0;     ///< of its Gauss rule, a multiple of Lanes::kCount
+    Mat3 frame;         ///< at its start, in space
+    Vec3 start;         ///< cm, in space
+    PointTargets targets{};
+};
+
+/// Sums over the points of a segment with Gauss weights w (sum 1): p the place of a point
+/// from the segment's start, J = dp/dk, e = target - place. All in the segment's frame.
+struct SegmentSums {
+    Mat3 gram;             ///< w J^T J, cm^4
+    Mat3 turned_jacobian;  ///< w p x J (by columns), cm^3
+    Mat3 jacobian;         ///< w J, cm^2
+    Mat3 second;           ///< w p p^T, cm^2
+    Vec3 first;            ///< w p, cm
+    Vec3 load;             ///< w J^T e, cm^3
+    Vec3 moment;           ///< w p x e, cm^2
+    Vec3 force;            ///< w e, cm
+    double half_square;    ///< w |e|^2 / 2, cm^2
+};
+
+SegmentSums segment_sums(const SegmentQuadrature& segment);
+
+/// w |e|^2 / 2 alone.
+double segment_half_square(const SegmentQuadrature& segment);
+
+/// Places of the points in space, cm, [3][points]: structure of arrays with the given
+/// stride between x, y and z.
+void segment_places(const SegmentQuadrature& segment, double* places, std::size_t stride);
+
+/// How the points of a segment move at an instant.
+struct SegmentMotion {
+    Vec3 rates;             ///< k', 1/(cm s)
+    Vec3 velocity;          ///< of the segment's start, cm/s
+    Vec3 angular_velocity;  ///< of its frame, rad/s
+};
+
+/// Velocities of the points, cm/s.
+void segment_velocities(const SegmentQuadrature& segment, const SegmentMotion& motion,
+                        double* velocities, std::size_t stride);
+
+/// What the points' acceleration is without k'', [3][points], cm/s^2: a + alpha x d +
+/// omega x (omega x d) + 2 omega x F p' + F p'', with p' = J k', p'' = D^2 p [k', k']
+/// [Bergbom07, Eq. 4.36, corrected]. `acceleration` and `angular_acceleration` are those
+/// of the segment's start.
+void segment_bias(const SegmentQuadrature& segment, const SegmentMotion& motion,
+                  const Vec3& acceleration, const Vec3& angular_acceleration,
+                  double* bias, std::size_t stride);
+
+}  // namespace lancret
