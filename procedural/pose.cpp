@@ -19,11 +19,11 @@ void pose_rigidly(Binding& binding, const RestPlaces& rest, const RigidPose& pos
     };
     Roots& roots = binding.roots;
     tbb::parallel_for(std::size_t(0), rest.roots.size(), [&](std::size_t i) {
-        roots.positions[i] = pose.place(rest.roots[i].cast<double>()).cast<float>();
+        roots.positions[i] = (pose * rest.roots[i].cast<double>()).cast<float>();
         roots.normals[i] = turned(rest.normals[i]);
     });
     std::ranges::transform(rest.guide_normals, binding.guide_normals.begin(), turned);
-    for (const Vec3& root : rest.guide_roots) out.push_back(pose.place(root));
+    for (const Vec3& root : rest.guide_roots) out.push_back(pose * root);
 }
 
 /// The scalp of a posed mesh, once it is seen to be the rest scalp's shape.
@@ -62,6 +62,11 @@ void pose_on_mesh(Binding& binding, const RestPlaces& rest, const Scalp& scalp,
 
 }  // namespace
 
+ScalpPose scalp_pose(const ScalpTime& scalp) {
+    if (const auto* rigid = std::get_if<RigidMotion>(&scalp)) return rigid->pose;
+    return posed(scalp, *std::get<MeshMotion>(scalp).rest);
+}
+
 RestPlaces rest_places(const Binding& binding, const GroomGuides& source) {
     RestPlaces out;
     out.roots = binding.roots.positions;
@@ -93,7 +98,7 @@ TriangleMesh posed_mesh(const TriangleMesh& rest, const ScalpPose& pose) {
     if (const auto* mesh = std::get_if<TriangleMesh>(&pose)) return *mesh;
     const RigidPose& rigid = std::get<RigidPose>(pose);
     TriangleMesh out = rest;
-    for (Vec3f& p : out.positions) p = rigid.place(p.cast<double>()).cast<float>();
+    for (Vec3f& p : out.positions) p = (rigid * p.cast<double>()).cast<float>();
     return out;
 }
 

@@ -7,21 +7,18 @@
 #include <variant>
 #include <vector>
 
+#include "guides/rigid_pose.h"
+#include "guides/scalp_motion.h"
 #include "procedural/groom_guides.h"
 
 namespace lancret {
 
-/// The scalp at some time as its rest pose, turned and then moved.
-struct RigidPose {
-    Mat3 rotation = Mat3::Identity();
-    Vec3 translation = Vec3::Zero();  ///< cm
-
-    Vec3 place(const Vec3& rest) const { return rotation * rest + translation; }
-};
-
 /// The scalp at some time: moved as a whole, or a mesh of its own with the triangles of
-/// the rest.
+/// the rest pose.
 using ScalpPose = std::variant<RigidPose, TriangleMesh>;
+
+/// The pose of a moving scalp at one time.
+ScalpPose scalp_pose(const ScalpTime& scalp);
 
 /// The scalp's pose at a frame, as an artist counts frames.
 using ScalpPoseAt = std::function<ScalpPose(double frame)>;

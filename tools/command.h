@@ -34,7 +34,7 @@ void add_groom_options(CLI::App& command, GroomOptions& options);
 struct Job {
     Groom groom;
     PreviewSettings preview;
-    ScalpPoseAt scalp_pose;  ///< none: the scalp stays at rest
+    ScalpPoseAt pose_at;  ///< none: the scalp stays at rest
 };
 
 /// Reads GROOM.toml, FILE.hair or GUIDES.h5 and lays the options over it. Throws

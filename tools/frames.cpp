@@ -82,15 +82,15 @@ FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
         out.guides = generator.source.guides;
     } else {
         out.guides = read_guide_cache(chosen.cache, frame - chosen.info.first_frame);
-        if (job.scalp_pose) out.pose = job.scalp_pose(frame);
+        if (job.pose_at) out.pose = job.pose_at(frame);
     }
     out.scalp_roots = pose_binding(generator.binding, rest, out.pose);
     out.profiles = guide_profiles<float>(out.guides, generator.profiles.count);
     return out;
 }
 
-std::filesystem::path frame_path(const std::filesystem::path& output, int frame,
-                                 bool several) {
+std::filesystem::path picture_path(const std::filesystem::path& output, int frame,
+                                   bool several) {
     const std::string name = output.filename().string();
     static const std::regex kPattern("#+|%(0?)([0-9]{0,2})d");
     std::smatch found;

@@ -56,7 +56,7 @@ FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
 /// The file of a frame: "head.####.png" and "head.%04d.png" have the number in place of
 /// the pattern; where there is none and `several` are written, it goes before the
 /// extension, "head.0012.png".
-std::filesystem::path frame_path(const std::filesystem::path& output, int frame,
-                                 bool several);
+std::filesystem::path picture_path(const std::filesystem::path& output, int frame,
+                                   bool several);
 
 }  // namespace lancret

@@ -52,8 +52,9 @@ std::vector<std::filesystem::path> outputs_of(const PreviewOptions& options,
     std::vector<std::filesystem::path> out;
     const bool several = chosen.frames.size() > 1;
     for (const int frame : chosen.frames) {
-        out.push_back(options.frames.given() ? frame_path(options.output, frame, several)
-                                             : std::filesystem::path(options.output));
+        out.push_back(options.frames.given()
+                          ? picture_path(options.output, frame, several)
+                          : std::filesystem::path(options.output));
         check_output(out.back(), {".exr", ".png"}, options.groom, job.groom);
         check_output(options.groom.stats, {}, options.groom, job.groom, out.back());
     }

@@ -33,7 +33,7 @@ const RigidPose kMoved{
     Vec3(40, -7, 12)};
 
 Guides moved(Guides guides, const RigidPose& pose) {
-    for (Vec3& root : guides.root_positions) root = pose.place(root);
+    for (Vec3& root : guides.root_positions) root = pose * root;
     for (Mat3& frame : guides.root_frames) frame = pose.rotation * frame;
     return guides;
 }
@@ -52,7 +52,7 @@ double distance_from_image(const Curves& rest, const Curves& posed,
                            const RigidPose& pose) {
     double largest = 0;
     for (std::size_t i = 0; i < rest.points.size(); ++i) {
-        const Vec3 image = pose.place(rest.points[i].xyz().cast<double>());
+        const Vec3 image = pose * rest.points[i].xyz().cast<double>();
         largest =
             std::max(largest, (posed.points[i].xyz().cast<double>() - image).norm());
     }
@@ -137,6 +137,26 @@ TEST(Pose, ARigidlyMovedMeshIsARigidPose) {
     }
     for (std::size_t i = 0; i < guides.size(); ++i)
         EXPECT_LE((rigid.guide_normals[i] - meshed.guide_normals[i]).norm(), 1e-4);
+}
+
+TEST(Pose, FollowsAHeadOnAPathOfKeys) {
+    const RigidPath path =
+        make_rigid_path({{1, Vec3::Zero(), Vec3::Zero()}, {5, {3, 0, 1}, {0, 80, 0}}},
+                        Vec3(0, -10, 0), 24);
+    const ScalpMotion motion = path;
+    const ScalpPose pose = scalp_pose(scalp_at(motion, 4));
+    const RigidPose& rigid = std::get<RigidPose>(pose);
+    const Generator& g = small_groom();
+    Binding binding = g.binding;
+    pose_binding(binding, rest_places(g.binding, g.source), pose);
+    const RestRoot rest{{Mat3::Identity(), g.binding.roots.positions[5].cast<double>()},
+                        {}};
+    const RootMotion moved_root = root_motion(scalp_at(motion, 4), rest);
+    // Rounded to floats of at most 20 cm.
+    EXPECT_LE(
+        (binding.roots.positions[5].cast<double>() - moved_root.pose.position).norm(),
+        2e-6);
+    EXPECT_GT((rigid.rotation - Mat3::Identity()).norm(), 0.5);
 }
 
 TEST(Pose, RefusesAMeshOfAnotherShape) {
