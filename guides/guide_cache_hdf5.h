@@ -1,6 +1,6 @@
 #pragma once
-// What the two halves of the guide cache, guide_cache.cpp and guide_cache_write.cpp,
-// share. Nothing else may include it.
+// What the parts of the guide cache, guide_cache*.cpp, share. Nothing else may include
+// it.
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -21,6 +21,8 @@ inline constexpr const char* kPositions = "/root_positions";
 inline constexpr const char* kFrames = "/root_frames";
 inline constexpr const char* kLengths = "/segment_lengths";
 inline constexpr const char* kCurvatures = "/curvatures";
+inline constexpr const char* kRest = "/rest";        ///< the group of the rest pose
+inline constexpr const char* kRestart = "/restart";  ///< and of what a restart needs
 
 /// HDF5 is not safe for threads, and prints its errors unless told not to. A Session has
 /// it alone and silent.

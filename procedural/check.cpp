@@ -155,13 +155,9 @@ CheckReport check(const Binding& binding, const Guides& guides,
     return report;
 }
 
-namespace {
-
-/// The largest share of a tolerance that a strand uses: above 1 it fails. A NaN is
-/// infinitely bad.
-double severity(const CheckReport& report, const StrandCheck& s) {
-    const CheckTolerances& t = report.tolerances;
-    if (!s.finite || !s.inside_bound || (report.hull_is_asked && !s.inside_hull)) {
+double CheckReport::severity(const StrandCheck& s) const {
+    const CheckTolerances& t = tolerances;
+    if (!s.finite || !s.inside_bound || (hull_is_asked && !s.inside_hull)) {
         return std::numeric_limits<double>::infinity();
     }
     // Nothing off is within a tolerance of nothing.
@@ -174,16 +170,15 @@ double severity(const CheckReport& report, const StrandCheck& s) {
         share_of(s.distance, t.distance), share_of(s.root_distance, t.root)};
     double worst = 0;
     for (const double share : shares) {
+        // A NaN is infinitely bad.
         if (std::isnan(share)) return std::numeric_limits<double>::infinity();
         worst = std::max(worst, share);
     }
     return worst;
 }
 
-}  // namespace
-
 bool CheckReport::passes(const StrandCheck& strand) const {
-    return severity(*this, strand) <= 1;
+    return severity(strand) <= 1;
 }
 
 bool CheckReport::pass() const {
@@ -193,8 +188,7 @@ bool CheckReport::pass() const {
 std::vector<StrandCheck> CheckReport::worst(std::size_t n) const {
     std::vector<std::pair<double, std::uint32_t>> order;
     order.reserve(strands.size());
-    for (const StrandCheck& s : strands)
-        order.emplace_back(-severity(*this, s), s.strand);
+    for (const StrandCheck& s : strands) order.emplace_back(-severity(s), s.strand);
     n = std::min(n, order.size());
     std::partial_sort(order.begin(), order.begin() + n, order.end());
     std::vector<StrandCheck> out;

@@ -38,6 +38,9 @@ struct CheckReport {
     bool hull_is_asked = true;  ///< false for blends that do not work in kappa and tau
     std::vector<StrandCheck> strands;  ///< [children], in their order
 
+    /// The largest share of a tolerance that `strand` uses; above 1 it fails, infinitely
+    /// where something is not a matter of degree.
+    double severity(const StrandCheck& strand) const;
     /// True where `strand` keeps all tolerances.
     bool passes(const StrandCheck& strand) const;
     bool pass() const;

@@ -7,32 +7,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "procedural/check_figures.h"
+
 namespace lancret {
 
 namespace {
 
 constexpr std::size_t kWorst = 10;
-
-/// One figure of a strand, as the reports name it.
-struct Figure {
-    const char* key;      ///< in JSON
-    const char* max_key;  ///< of its maximum there
-    const char* title;    ///< in the table
-    float StrandCheck::*value;
-    double CheckTolerances::*tolerance;
-};
-constexpr Figure kFigures[] = {
-    {"orthogonality", "max", "orthogonality |R^T R - I|", &StrandCheck::orthogonality,
-     &CheckTolerances::orthogonality},
-    {"length", "max_relative_error", "length, relative", &StrandCheck::length_error,
-     &CheckTolerances::length},
-    {"emitted_length", "max_relative_error", "length as emitted, relative",
-     &StrandCheck::emitted_length_error, &CheckTolerances::emitted_length},
-    {"distance", "max_cm", "curve from strand, cm", &StrandCheck::distance,
-     &CheckTolerances::distance},
-    {"root", "max_cm", "curve from its root, cm", &StrandCheck::root_distance,
-     &CheckTolerances::root},
-};
 
 struct Summary {
     double mean = 0, median = 0, p99 = 0, max = 0;
@@ -76,11 +57,6 @@ std::array<std::size_t, 10> length_histogram(const CheckReport& report) {
 template <class Property>
 std::size_t count_of(const CheckReport& report, Property property) {
     return std::size_t(std::ranges::count_if(report.strands, property));
-}
-
-/// A number as JSON can hold it: what is not finite becomes null.
-nlohmann::json number(double value) {
-    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
 }
 
 }  // namespace
@@ -138,10 +114,10 @@ nlohmann::json check_json(const CheckReport& report) {
     out["failed"] = count_of(report, [&](auto& s) { return !report.passes(s); });
     for (const Figure& figure : kFigures) {
         const Summary s = summary(report, figure.value);
-        out[figure.key] = {{figure.max_key, number(s.max)},
-                           {"mean", number(s.mean)},
-                           {"median", number(s.median)},
-                           {"p99", number(s.p99)},
+        out[figure.key] = {{figure.max_key, number_json(s.max)},
+                           {"mean", number_json(s.mean)},
+                           {"median", number_json(s.median)},
+                           {"p99", number_json(s.p99)},
                            {"tolerance", report.tolerances.*figure.tolerance}};
     }
     out["hull"] = {{"outside", count_of(report, [](auto& s) { return !s.inside_hull; })},
@@ -152,7 +128,8 @@ nlohmann::json check_json(const CheckReport& report) {
     out["worst"] = nlohmann::json::array();
     for (const StrandCheck& s : report.worst(kWorst)) {
         nlohmann::json entry = {{"strand", s.strand}, {"ok", report.passes(s)}};
-        for (const Figure& figure : kFigures) entry[figure.key] = number(s.*figure.value);
+        for (const Figure& figure : kFigures)
+            entry[figure.key] = number_json(s.*figure.value);
         out["worst"].push_back(std::move(entry));
     }
     return out;

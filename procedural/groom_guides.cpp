@@ -107,7 +107,7 @@ std::optional<Scalp> load_scalp(const Groom& groom) {
 
 /// Guides from a cache: they are the groom.
 void take_cached(const Groom& groom, GroomGuides& out) {
-    out.guides = read_guide_cache(groom.strands_file, 0);
+    out.guides = read_rest_guides(groom.strands_file);
     out.groom_strands = out.guides.size();
     out.grown_roots = out.guides.root_positions;
     for (const Mat3& frame : out.guides.root_frames)
@@ -149,6 +149,7 @@ void stand_on_scalp(GroomGuides& out) {
     for (Vec3& root : out.guides.root_positions) {
         const ClosestResult nearest = closest.closest(root);
         root = nearest.position;
+        out.places.push_back(nearest.point);
         out.normals.push_back(scalp_normal(*out.scalp, nearest.point).cast<float>());
         out.snapped_roots += nearest.distance > kOnSurface;
         out.largest_snap = std::max(out.largest_snap, nearest.distance);
@@ -192,7 +193,7 @@ GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
     if (groom.guides_file.empty()) {
         fit_chosen(groom, loaded.strands, roots, out);
     } else {
-        out.guides = read_guide_cache(groom.guides_file, 0);
+        out.guides = read_rest_guides(groom.guides_file);
     }
     stand_on_scalp(out);
     out.grown_roots = roots.positions;

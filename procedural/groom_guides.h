@@ -23,6 +23,7 @@ struct GroomGuides {
     Guides guides;
     std::vector<FitReport> fits;        ///< [guides]; empty where the file held guides
     std::vector<Vec3f> normals;         ///< [guides], of the surface at their roots
+    std::vector<MeshPoint> places;      ///< [guides], of their roots on the scalp, if any
     std::optional<Scalp> scalp;         ///< what hair grows on; nothing without a surface
     std::optional<TriangleMesh> body;   ///< what is seen of it, where that is more
     bool whole_scalp = false;           ///< hair grows everywhere on the scalp
@@ -36,7 +37,8 @@ struct GroomGuides {
 };
 
 /// Loads a groom, chooses its guides by farthest point and fits them. A guide cache (.h5)
-/// is taken as it is, at its first frame. Throws InputError.
+/// is taken as it is, in its rest pose; where it has none, at its first frame. Throws
+/// InputError.
 GroomGuides groom_guides(const Groom& groom, const StageCallback& stage = {});
 
 }  // namespace lancret

@@ -58,8 +58,10 @@ struct TomlTable::Node {
     std::shared_ptr<const Document> document;
     const toml::table* table = nullptr;  // null: an absent table
     std::string title;                   // "[guides]", or empty for the root
+    std::size_t line = 0;                // of a table in a list; else 0
     std::vector<std::string> asked;
     std::map<std::string, TomlTable, std::less<>> children;
+    std::map<std::string, std::vector<TomlTable>, std::less<>> lists;
 
     /// The value under `key`, which is from now on asked for.
     const toml::node* ask(std::string_view key) {
@@ -114,6 +116,34 @@ TomlTable TomlTable::table(std::string_view key) const {
     out.node_->table = value ? value->as_table() : nullptr;
     out.node_->title = fmt::format("[{}]", key);
     node_->children.emplace(key, out);
+    return out;
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+    if (const auto known = node_->lists.find(key); known != node_->lists.end()) {
+        return known->second;
+    }
+    std::vector<TomlTable> out;
+    const toml::node* value = node_->ask(key);
+    if (!value) return out;
+    const toml::array* list = value->as_array();
+    if (!list) {
+        fail(key, fmt::format("'{0}' must be a list of tables, [[{0}]]", key));
+    }
+    for (const toml::node& item : *list) {
+        if (!item.is_table()) {
+            fail(key, fmt::format("'{}' must hold tables only, but item {} is none", key,
+                                  out.size() + 1));
+        }
+        TomlTable table;
+        table.node_ = std::make_shared<Node>();
+        table.node_->document = node_->document;
+        table.node_->table = item.as_table();
+        table.node_->title = fmt::format("[[{}]]", key);
+        table.node_->line = item.source().begin.line;
+        out.push_back(std::move(table));
+    }
+    node_->lists.emplace(key, out);
     return out;
 }
 
@@ -213,10 +243,13 @@ void TomlTable::finish() const {
                                : fmt::format("; known: {}", fmt::join(known, ", "))));
     }
     for (const auto& [key, child] : node_->children) child.finish();
+    for (const auto& [key, list] : node_->lists) {
+        for (const TomlTable& item : list) item.finish();
+    }
 }
 
 void TomlTable::fail(std::string_view key, std::string_view message) const {
-    std::size_t line = 0;
+    std::size_t line = node_->line;
     if (node_->table) {
         for (const auto& [name, value] : *node_->table) {
             if (name.str() == key) line = name.source().begin.line;

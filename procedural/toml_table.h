@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "guides/types.h"
 
@@ -24,6 +25,10 @@ class TomlTable {
 
     /// The table under `key`; an empty one where there is none.
     TomlTable table(std::string_view key) const;
+    /// The tables of the list under `key`, in the file's order: `[[key]]` or
+    /// `key = [{...}, ...]`; none where there is none. An error where it is something
+    /// else, or where not all that it holds are tables.
+    std::vector<TomlTable> tables(std::string_view key) const;
     bool has(std::string_view key) const;
 
     /// The value under `key`, nothing where there is none. An error where it is of
@@ -45,7 +50,8 @@ class TomlTable {
     /// with the nearest key that somebody did ask for.
     void finish() const;
 
-    /// "<file>:<line of key>: message", to be thrown by who finds a value wrong.
+    /// "<file>:<line of key>: message", to be thrown by who finds a value wrong. Where
+    /// the key is missing in a table of a list, the line is that of the table.
     [[noreturn]] void fail(std::string_view key, std::string_view message) const;
 
   private:

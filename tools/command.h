@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "procedural/generator.h"
+#include "procedural/pose.h"
 #include "render_test/preview_settings.h"
 
 namespace lancret {
@@ -33,6 +34,7 @@ void add_groom_options(CLI::App& command, GroomOptions& options);
 struct Job {
     Groom groom;
     PreviewSettings preview;
+    ScalpPoseAt pose_at;  ///< none: the scalp stays at rest
 };
 
 /// Reads GROOM.toml, FILE.hair or GUIDES.h5 and lays the options over it. Throws

@@ -10,6 +10,7 @@
 #include "guides/mitsuba_file.h"
 #include "procedural/child_strands.h"
 #include "tools/command.h"
+#include "tools/frames.h"
 #include "tools/stats.h"
 
 namespace lancret {
@@ -18,6 +19,7 @@ namespace {
 
 struct ExpandOptions {
     GroomOptions groom;
+    FrameOptions frame;
     std::string output;
 };
 
@@ -28,7 +30,12 @@ int expand_groom(const ExpandOptions& options) {
     check_output(output, {".hair", ".txt"}, options.groom, job.groom);
     check_output(options.groom.stats, {}, options.groom, job.groom, output);
     if (extension == ".txt") job.groom.expand.basis = CurveBasis::bspline;
-    const Generator generator = run_generator(job.groom);
+    const ChosenFrames chosen = chosen_frames(options.frame, job, false);
+    Generator generator = run_generator(job.groom);
+    generator.profiles =
+        go_to_frame(generator, rest_places(generator.binding, generator.source), chosen,
+                    job, chosen.frames[0])
+            .profiles;
     Stopwatch watch;
     const Curves curves = expand(generator.binding, generator.profiles, job.groom.expand);
     const double seconds = watch.lap();
@@ -59,6 +66,7 @@ void add_expand(CLI::App& app, int& exit_code) {
     CLI::App* command =
         app.add_subcommand("expand", "Grow the children; write or time them");
     add_groom_options(*command, options->groom);
+    add_frame_option(*command, options->frame);
     command
         ->add_option(
             "-o,--output", options->output,
@@ -70,7 +78,8 @@ void add_expand(CLI::App& app, int& exit_code) {
         "Examples:\n"
         "  lancret expand groom.hair --scalp head.obj --strands 1000000 --stats "
         "time.json\n"
-        "  lancret expand groom.toml -o children.hair");
+        "  lancret expand groom.toml -o children.hair\n"
+        "  lancret expand cache.h5 --frame 12 -o children.hair");
     command->callback([options, &exit_code] { exit_code = expand_groom(*options); });
 }
 

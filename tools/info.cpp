@@ -90,13 +90,23 @@ nlohmann::json info_cache(const std::filesystem::path& file) {
     fmt::print("{}\n{} guides of {} segments, {} frames from {} at {} a second\n",
                file.string(), info.guides, info.segments, info.frames, info.first_frame,
                info.frames_per_second);
+    fmt::print("rest pose: {}; {}\n", info.has_rest ? "its own" : "the first frame",
+               info.has_restart ? "a run can go on from the last frame"
+                                : "without what a run needs to go on");
     if (!info.groom.empty()) fmt::print("groom: {}\n", info.groom);
     std::vector<double> lengths;
     for (std::size_t g = 0; g < guides.size(); ++g)
         lengths.push_back(guide_length(guides, g));
     print_range("length", lengths, " cm");
-    return {
-        {"guides", info.guides}, {"segments", info.segments}, {"frames", info.frames}};
+    return {{"guides", info.guides},
+            {"segments", info.segments},
+            {"frames", info.frames},
+            {"first_frame", info.first_frame},
+            {"last_frame", info.first_frame + (info.frames - 1)},
+            {"frames_per_second", info.frames_per_second},
+            {"groom", info.groom},
+            {"rest", info.has_rest},
+            {"restart", info.has_restart}};
 }
 
 nlohmann::json info_groom(const std::filesystem::path& file) {

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <memory>
 
 #include "render_test/embree_scene.h"
 #include "tools/command.h"
+#include "tools/frames.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
 
@@ -15,13 +18,16 @@ namespace {
 
 struct PreviewOptions {
     GroomOptions groom;
+    FrameOptions frames;
     std::string size, output;
     std::optional<int> samples;
 };
 
-const TriangleMesh* body_of(const GroomGuides& source) {
-    if (source.body) return &*source.body;
-    return source.scalp ? &source.scalp->mesh : nullptr;
+/// What is seen of the head at that time.
+std::optional<TriangleMesh> body_of(const GroomGuides& source, const ScalpPose& pose) {
+    if (source.body) return posed_mesh(*source.body, pose);
+    if (source.scalp) return posed_mesh(source.scalp->mesh, pose);
+    return std::nullopt;
 }
 
 /// The box of the guides: what a groom means to be, whatever a stray child does.
@@ -39,58 +45,113 @@ Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& g
     return box;
 }
 
+/// The pictures to write, one a frame.
+std::vector<std::filesystem::path> outputs_of(const PreviewOptions& options,
+                                              const Job& job,
+                                              const ChosenFrames& chosen) {
+    std::vector<std::filesystem::path> out;
+    const bool several = chosen.frames.size() > 1;
+    for (const int frame : chosen.frames) {
+        out.push_back(options.frames.given()
+                          ? picture_path(options.output, frame, several)
+                          : std::filesystem::path(options.output));
+        check_output(out.back(), {".exr", ".png"}, options.groom, job.groom);
+        check_output(options.groom.stats, {}, options.groom, job.groom, out.back());
+    }
+    return out;
+}
+
+/// What one picture cost, s and bytes.
+struct PictureCost {
+    double expand = 0, bvh = 0, render = 0;
+    std::size_t bvh_bytes = 0;
+};
+
+/// Grows the children of a frame and shows them. `scene` holds all but the geometry.
+PictureCost picture(const Generator& generator, const FrameState& state, const Job& job,
+                    const Camera& camera, RenderScene& scene, const std::string& title,
+                    const std::filesystem::path& output, Curves& curves) {
+    PictureCost cost;
+    Stopwatch watch;
+    curves = expand(generator.binding, state.profiles, job.groom.expand);
+    cost.expand = watch.lap();
+    const std::optional<TriangleMesh> body = body_of(generator.source, state.pose);
+    const HairScene geometry(curves, body ? &*body : nullptr);
+    cost.bvh = geometry.build_seconds();
+    cost.bvh_bytes = geometry.bvh_bytes();
+    scene.geometry = &geometry;
+    watch.lap();
+    ProgressBar bar(title);
+    const Image image =
+        render(scene, camera, job.preview.render, [&](double done) { bar.show(done); });
+    scene.geometry = nullptr;
+    cost.render = watch.lap();
+    write_image(output, image, job.preview.background);
+    return cost;
+}
+
 int preview(const PreviewOptions& options) {
     Job job = read_job(options.groom);
-    check_output(options.output, {".exr", ".png"}, options.groom, job.groom);
-    check_output(options.groom.stats, {}, options.groom, job.groom, options.output);
+    const ChosenFrames chosen = chosen_frames(options.frames, job, false);
+    const auto outputs = outputs_of(options, job, chosen);
     RenderSettings& settings = job.preview.render;
     if (!options.size.empty()) {
         std::tie(settings.width, settings.height) = parse_size(options.size);
     }
     if (options.samples) settings.samples = *options.samples;
 
-    const Generator generator = run_generator(job.groom);
-    Stopwatch expand_watch;
-    const Curves curves = expand(generator.binding, generator.profiles, job.groom.expand);
-    const double expand_seconds = expand_watch.lap();
-
-    const HairScene geometry(curves, body_of(generator.source));
+    Generator generator = run_generator(job.groom);
+    const RestPlaces rest = rest_places(generator.binding, generator.source);
     const Vec3f up = job.groom.scene.up.cast<float>();
+    // The camera looks at the rest pose and stays there, whatever frame is shown.
     const Camera camera = preview_camera(
         job.preview,
         extent(generator.profiles, generator.source.guides, job.groom.bind.length_scale),
         up);
     RenderScene scene;
-    scene.geometry = &geometry;
     scene.hair = HairModel(job.preview.hair);
     scene.mesh = job.preview.mesh;
     scene.lights =
         job.preview.lights ? *job.preview.lights : default_lights(camera.view(), up);
 
-    Stopwatch render_watch;
-    ProgressBar bar("render");
-    const Image image =
-        render(scene, camera, settings, [&](double done) { bar.show(done); });
-    const double render_seconds = render_watch.lap();
-    write_image(options.output, image, job.preview.background);
-
-    nlohmann::json stats = generator_stats(generator);
-    add_curve_stats(stats, curves, expand_seconds);
-    stats["seconds"]["bvh"] = geometry.build_seconds();
-    stats["seconds"]["render"] = render_seconds;
-    stats["bytes"]["bvh"] = geometry.bvh_bytes();
+    nlohmann::json stats = generator_stats(generator), frames = nlohmann::json::array();
+    PictureCost total;
+    Curves curves;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const int frame = chosen.frames[i];
+        const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
+        const std::string title =
+            outputs.size() == 1
+                ? "render"
+                : fmt::format("frame {} ({} of {})", frame, i + 1, outputs.size());
+        const PictureCost cost =
+            picture(generator, state, job, camera, scene, title, outputs[i], curves);
+        total.expand += cost.expand;
+        total.bvh += cost.bvh;
+        total.render += cost.render;
+        total.bvh_bytes = std::max(total.bvh_bytes, cost.bvh_bytes);
+        frames.push_back(
+            {{"frame", frame},
+             {"image", outputs[i].string()},
+             {"seconds",
+              {{"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
+        fmt::print(
+            "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
+            "expand {:.3f}, BVH {:.2f}, render {:.1f}; {:.0f} MB\n",
+            outputs[i].string(), curves.strands, generator.source.guides.size(),
+            generator.seconds.load, generator.seconds.fit, generator.seconds.bind,
+            cost.expand, cost.bvh, cost.render, double(peak_rss()) / 1e6);
+        std::fflush(stdout);
+    }
+    add_curve_stats(stats, curves, total.expand);
+    stats["seconds"]["bvh"] = total.bvh;
+    stats["seconds"]["render"] = total.render;
+    stats["bytes"]["bvh"] = total.bvh_bytes;
     stats["image"] = {{"width", settings.width},
                       {"height", settings.height},
                       {"samples", settings.samples}};
+    if (!chosen.cache.empty()) stats["frames"] = std::move(frames);
     write_stats(options.groom.stats, std::move(stats));
-    fmt::print(
-        "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
-        "expand "
-        "{:.3f}, BVH {:.2f}, render {:.1f}; {:.0f} MB\n",
-        options.output, curves.strands, generator.source.guides.size(),
-        generator.seconds.load, generator.seconds.fit, generator.seconds.bind,
-        expand_seconds, geometry.build_seconds(), render_seconds,
-        double(peak_rss()) / 1e6);
     return kFine;
 }
 
@@ -100,13 +161,16 @@ void add_preview(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<PreviewOptions>();
     CLI::App* command = app.add_subcommand("preview", "Render a picture of a groom");
     add_groom_options(*command, options->groom);
+    add_frames_options(*command, options->frames);
     command->add_option("--samples", options->samples, "paths a pixel")
         ->type_name("N")
         ->check(CLI::Range(1, 65536));
     command->add_option("--size", options->size, "of the picture, pixels")
         ->type_name("WxH")
         ->check(not_empty());
-    command->add_option("-o,--output", options->output, "the picture: .exr or .png")
+    command
+        ->add_option("-o,--output", options->output,
+                     "the picture: .exr or .png; of several frames, head.####.png")
         ->required()
         ->type_name("FILE")
         ->check(not_empty());
@@ -115,6 +179,7 @@ void add_preview(CLI::App& app, int& exit_code) {
         "  lancret preview examples/made_groom.toml -o head.png\n"
         "  lancret preview groom.hair --scalp head.obj --guides 400 --strands 100000 -o "
         "head.exr\n"
+        "  lancret preview cache.h5 --frames 1-96 -o head.####.png\n"
         "  lancret preview groom.hair --guides 5% --strands 5000 --size 640x640 "
         "--samples 16 "
         "-o quick.png");

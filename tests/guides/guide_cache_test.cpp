@@ -260,6 +260,70 @@ TEST_F(GuideCache, DamagedBytesAreFoundOrDoNoHarm) {
     EXPECT_GT(found, 200);
 }
 
+TEST_F(GuideCache, RestPoseIsTheFirstFrameWhereNoneIsKept) {
+    EXPECT_FALSE(guide_cache_info(path).has_rest);
+    EXPECT_EQ(read_rest_guides(path).curvatures, frames[0].curvatures);
+    GuideCacheWriter writer(path, {}, 1, &frames[2]);
+    Guides frame = frames[1];
+    frame.segment_lengths = frames[2].segment_lengths;
+    writer.add(frame);
+    writer.finish();
+    EXPECT_TRUE(guide_cache_info(path).has_rest);
+    EXPECT_EQ(read_rest_guides(path).curvatures, frames[2].curvatures);
+    EXPECT_EQ(read_guide_cache(path, 0).curvatures, frames[1].curvatures);
+    edit([](hid_t file) { H5Ldelete(file, "/rest/root_frames", H5P_DEFAULT); });
+    EXPECT_THAT(input_error([&] { read_rest_guides(path); }),
+                HasSubstr("no dataset '/rest/root_frames'"));
+}
+
+TEST_F(GuideCache, RestartIsRefusedWhereItIsNotWhatItShouldBe) {
+    const auto restart_error = [&] { return input_error([&] { read_restart(path); }); };
+    EXPECT_FALSE(guide_cache_info(path).has_restart);
+    EXPECT_THAT(restart_error(), HasSubstr("guides.h5: no group '/restart'"));
+    const auto write = [&] {
+        GuideCacheWriter writer(path, {}, 1);
+        writer.add(frames[0]);
+        const Restart restart{"job", {{"a", {1, 2}}, {"b", {3}}}};
+        writer.finish(&restart);
+    };
+    write();
+    EXPECT_EQ(read_restart(path).arrays, (RestartArrays{{"a", {1, 2}}, {"b", {3}}}));
+    set_value("/restart/a", 1, std::numeric_limits<double>::infinity());
+    EXPECT_THAT(restart_error(), HasSubstr("'a' is not finite at number 1"));
+    write();
+    replace("/restart/b", {3, 3});
+    EXPECT_THAT(restart_error(), HasSubstr("'b' has 2 dimensions, expected 1"));
+    write();
+    replace("/restart/b", {1u << 30});
+    EXPECT_THAT(restart_error(), HasSubstr("'b' is shorter than its shape"));
+    write();
+    edit([](hid_t file) { H5Adelete_by_name(file, "/restart", "job", H5P_DEFAULT); });
+    EXPECT_THAT(restart_error(), HasSubstr("no attribute 'job'"));
+    edit([](hid_t file) {
+        H5Ldelete(file, "/restart", H5P_DEFAULT);
+        H5Lcreate_hard(file, "/curvatures", file, "/restart", H5P_DEFAULT, H5P_DEFAULT);
+    });
+    EXPECT_THAT(restart_error(), HasSubstr("'/restart' is not a group"));
+}
+
+TEST_F(GuideCache, WriterWantsAsManyFramesAsItWasTold) {
+    GuideCacheWriter writer(path, {}, 2);
+    writer.add(frames[0]);
+    EXPECT_THROW(writer.finish(), std::invalid_argument);
+    writer.add(frames[1]);
+    EXPECT_THROW(writer.add(frames[2]), std::invalid_argument);
+    writer.finish();
+    EXPECT_EQ(guide_cache_info(path).frames, 2);
+}
+
+TEST_F(GuideCache, FrameNumbersThatAnIntCannotHoldAreRefused) {
+    const int most = std::numeric_limits<int>::max();
+    write_guide_cache(path, {24, most - 2, ""}, frames);
+    EXPECT_EQ(error(), "");
+    write_guide_cache(path, {24, most - 1, ""}, frames);
+    EXPECT_THAT(error(), HasSubstr("'first_frame' is 2147483646, too large"));
+}
+
 TEST_F(GuideCache, WriterRejectsFramesThatDiffer) {
     EXPECT_THROW(write_guide_cache(path, {}, {}), std::invalid_argument);
     frames[1].segment_lengths[0] += 1;

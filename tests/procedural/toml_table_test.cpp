@@ -67,6 +67,52 @@ TEST(TomlTable, SuggestsTheNearestChoice) {
               "option1, position");
 }
 
+constexpr std::string_view kLists =
+    "keys = [{t = 0}, {t = 1}]\n"
+    "[[colliders]]\n"
+    "radius = 9\n"
+    "[[colliders]]\n"
+    "radius = 2\n"
+    "raduis = 3\n";
+
+TEST(TomlTable, ReadsListsOfTablesInTheirOrder) {
+    const TomlTable t = TomlTable::from_text(kLists, "g");
+    ASSERT_EQ(t.tables("keys").size(), 2u);
+    EXPECT_EQ(t.tables("keys")[0].number("t"), 0);
+    EXPECT_EQ(t.tables("keys")[1].number("t"), 1);
+    ASSERT_EQ(t.tables("colliders").size(), 2u);
+    EXPECT_EQ(t.tables("colliders")[0].number("radius"), 9);
+    EXPECT_EQ(t.tables("colliders")[1].number("radius"), 2);
+    EXPECT_TRUE(t.tables("absent").empty());
+    EXPECT_TRUE(TomlTable::from_text("keys = []\n", "g").tables("keys").empty());
+}
+
+TEST(TomlTable, NamesTheLineOfAnUnreadKeyInAListOfTables) {
+    const TomlTable t = TomlTable::from_text(kLists, "g");
+    EXPECT_EQ(error_of([&] { t.finish(); }), "g:2: unknown key 'colliders'; known: ");
+    for (const TomlTable& key : t.tables("keys")) key.number("t");
+    for (const TomlTable& collider : t.tables("colliders")) collider.number("radius");
+    EXPECT_EQ(error_of([&] { t.finish(); }),
+              "g:6: unknown key 'raduis' in [[colliders]], did you mean 'radius'?");
+}
+
+TEST(TomlTable, NamesTheLineOfTheTableWhereAKeyOfAListIsMissing) {
+    const TomlTable t = TomlTable::from_text(kLists, "g");
+    EXPECT_EQ(error_of([&] { t.tables("colliders")[1].fail("shape", "needs 'shape'"); }),
+              "g:4: needs 'shape'");
+}
+
+TEST(TomlTable, RejectsListsOfOtherThings) {
+    const TomlTable t =
+        TomlTable::from_text("a = 1\nb = [{x = 1}, 2]\n[c]\nx = 1\n", "g");
+    EXPECT_EQ(error_of([&] { t.tables("a"); }),
+              "g:1: 'a' must be a list of tables, [[a]]");
+    EXPECT_EQ(error_of([&] { t.tables("b"); }),
+              "g:2: 'b' must hold tables only, but item 2 is none");
+    EXPECT_EQ(error_of([&] { t.tables("c"); }),
+              "g:3: 'c' must be a list of tables, [[c]]");
+}
+
 TEST(TomlTable, SyntaxErrorsNameTheLine) {
     EXPECT_THAT(error_of([] { TomlTable::from_text("a = 1\nb = = 2\n", "g"); }),
                 testing::StartsWith("g:2: "));

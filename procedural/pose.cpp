@@ -1,0 +1,105 @@
+#include "procedural/pose.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "guides/coordinates.h"
+#include "guides/errors.h"
+
+namespace lancret {
+
+namespace {
+
+void pose_rigidly(Binding& binding, const RestPlaces& rest, const RigidPose& pose,
+                  std::vector<Vec3>& out) {
+    const auto turned = [&](const Vec3f& normal) -> Vec3f {
+        return (pose.rotation * normal.cast<double>()).cast<float>();
+    };
+    Roots& roots = binding.roots;
+    tbb::parallel_for(std::size_t(0), rest.roots.size(), [&](std::size_t i) {
+        roots.positions[i] = (pose * rest.roots[i].cast<double>()).cast<float>();
+        roots.normals[i] = turned(rest.normals[i]);
+    });
+    std::ranges::transform(rest.guide_normals, binding.guide_normals.begin(), turned);
+    for (const Vec3& root : rest.guide_roots) out.push_back(pose * root);
+}
+
+/// The scalp of a posed mesh, once it is seen to be the rest scalp's shape.
+Scalp posed_scalp(const RestPlaces& rest, const TriangleMesh& mesh) {
+    if (rest.triangles == 0) {
+        throw InputError(
+            "a posed scalp needs a scalp at rest, and the groom has none: name it in "
+            "[scalp]");
+    }
+    if (mesh.positions.size() != rest.vertices ||
+        mesh.triangles.size() != rest.triangles) {
+        throw InputError(fmt::format(
+            "the posed scalp has {} vertices and {} triangles, expected those of the "
+            "rest scalp, {} and {}",
+            mesh.positions.size(), mesh.triangles.size(), rest.vertices, rest.triangles));
+    }
+    if (!std::ranges::all_of(mesh.positions, is_place)) {
+        throw InputError("the posed scalp has a vertex that is nowhere");
+    }
+    return make_scalp(mesh);
+}
+
+void pose_on_mesh(Binding& binding, const RestPlaces& rest, const Scalp& scalp,
+                  std::vector<Vec3>& out) {
+    Roots& roots = binding.roots;
+    tbb::parallel_for(std::size_t(0), rest.places.size(), [&](std::size_t i) {
+        roots.positions[i] = scalp_position(scalp, rest.places[i]).cast<float>();
+        roots.normals[i] = scalp_normal(scalp, rest.places[i]).cast<float>();
+    });
+    for (std::size_t g = 0; g < rest.guide_places.size(); ++g) {
+        const MeshPoint& place = rest.guide_places[g];
+        binding.guide_normals[g] = scalp_normal(scalp, place).cast<float>();
+        out.push_back(scalp_position(scalp, place));
+    }
+}
+
+}  // namespace
+
+ScalpPose scalp_pose(const ScalpTime& scalp) {
+    if (const auto* rigid = std::get_if<RigidMotion>(&scalp)) return rigid->pose;
+    return posed(scalp, *std::get<MeshMotion>(scalp).rest);
+}
+
+RestPlaces rest_places(const Binding& binding, const GroomGuides& source) {
+    RestPlaces out;
+    out.roots = binding.roots.positions;
+    out.normals = binding.roots.normals;
+    out.guide_normals = binding.guide_normals;
+    out.guide_roots = source.guides.root_positions;
+    if (source.scalp) {
+        out.places = binding.roots.places;
+        out.guide_places = source.places;
+        out.vertices = source.scalp->mesh.positions.size();
+        out.triangles = source.scalp->mesh.triangles.size();
+    }
+    return out;
+}
+
+std::vector<Vec3> pose_binding(Binding& binding, const RestPlaces& rest,
+                               const ScalpPose& pose) {
+    std::vector<Vec3> out;
+    if (const auto* rigid = std::get_if<RigidPose>(&pose)) {
+        pose_rigidly(binding, rest, *rigid, out);
+    } else {
+        const Scalp scalp = posed_scalp(rest, std::get<TriangleMesh>(pose));
+        pose_on_mesh(binding, rest, scalp, out);
+    }
+    return out;
+}
+
+TriangleMesh posed_mesh(const TriangleMesh& rest, const ScalpPose& pose) {
+    if (const auto* mesh = std::get_if<TriangleMesh>(&pose)) return *mesh;
+    const RigidPose& rigid = std::get<RigidPose>(pose);
+    TriangleMesh out = rest;
+    for (Vec3f& p : out.positions) p = (rigid * p.cast<double>()).cast<float>();
+    return out;
+}
+
+}  // namespace lancret

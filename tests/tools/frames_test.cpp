@@ -1,0 +1,211 @@
+// Caches of several frames: which frame is shown, proved and written.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "guides/frame_store.h"
+#include "guides/hair_file.h"
+#include "tests/tools/small_grooms.h"
+
+namespace lancret {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+auto works() { return testing::Field("exit code", &CommandRun::exit_code, 0); }
+
+nlohmann::json json_of(const std::string& file) {
+    return nlohmann::json::parse(read_bytes(file));
+}
+
+/// made.toml, and cache.h5: its guides in three frames, 11 to 13, bent more in each.
+struct Bent : SmallGrooms {
+    std::string cache = at("cache.h5");
+    Guides rest;
+
+    Bent() {
+        const std::string fit = at("fit.h5");
+        EXPECT_THAT(lancret({"fit", made, "-o", fit}), works());
+        rest = read_guide_cache(fit, 0);
+        write({at_frame(1), at_frame(2), at_frame(3)});
+    }
+    Guides at_frame(int k) const {
+        Guides out = rest;
+        for (Vec3& u : out.curvatures) u += Vec3(0, 0.01 * k, 0.02 * k);
+        return out;
+    }
+    void write(const std::vector<Guides>& frames) const {
+        FrameStore store(cache, {24, 11, made}, "bent", rest, true);
+        for (const Guides& frame : frames) store.add(frame, {});
+        store.finish();
+    }
+    CommandRun preview(const std::vector<std::string>& words) const {
+        std::vector<std::string> all{"preview", cache};
+        all.insert(all.end(), words.begin(), words.end());
+        return lancret(all);
+    }
+};
+
+TEST(Frames, PreviewWritesEachFrameByItsNumber) {
+    const Bent f;
+    ASSERT_THAT(f.preview({"--frames", "11-13", "-o", f.at("a.####.png"), "--stats",
+                           f.at("stats.json")}),
+                works());
+    const std::string first = read_bytes(f / "a.0011.png");
+    const std::string last = read_bytes(f / "a.0013.png");
+    ASSERT_FALSE(first.empty());
+    ASSERT_FALSE(last.empty());
+    EXPECT_NE(first, last);
+    EXPECT_TRUE(std::filesystem::exists(f / "a.0012.png"));
+    const auto stats = json_of(f.at("stats.json"));
+    ASSERT_EQ(stats["frames"].size(), 3u);
+    EXPECT_EQ(stats["frames"][1]["frame"], 12);
+    EXPECT_EQ(stats["frames"][1]["image"], f.at("a.0012.png"));
+    // A frame alone is the same picture: camera and binding do not depend on the range.
+    ASSERT_THAT(f.preview({"--frame", "13", "-o", f.at("alone.png")}), works());
+    EXPECT_EQ(read_bytes(f / "alone.png"), last);
+    // Without an option, the first frame.
+    ASSERT_THAT(f.preview({"-o", f.at("default.png")}), works());
+    EXPECT_EQ(read_bytes(f / "default.png"), first);
+}
+
+TEST(Frames, NumbersGoWhereThePatternIs) {
+    const Bent f;
+    const auto writes = [&](const char* frames, const char* output, const char* file) {
+        const CommandRun run =
+            f.preview({"--frames", frames, "--samples", "1", "-o", f.at(output)});
+        return run.exit_code == 0 && std::filesystem::exists(f / file);
+    };
+    EXPECT_TRUE(writes("12-13", "plain.png", "plain.0012.png"));
+    EXPECT_TRUE(std::filesystem::exists(f / "plain.0013.png"));
+    EXPECT_FALSE(std::filesystem::exists(f / "plain.png"));
+    EXPECT_TRUE(writes("12", "one.png", "one.png"));
+    EXPECT_TRUE(writes("12", "c%06dx.png", "c000012x.png"));
+    EXPECT_TRUE(writes("12", "#.png", "12.png"));
+}
+
+TEST(Frames, AFrameThatIsNotThereIsAnErrorThatSaysWhichAre) {
+    const Bent f;
+    const std::string png = f.at("a.png");
+    EXPECT_THAT(f.preview({"--frame", "10", "-o", png}),
+                refuses_with("--frame: ", "has no frame 10; it has frames 11 to 13"));
+    EXPECT_THAT(f.preview({"--frames", "12-20", "-o", png}),
+                refuses_with("--frames: ", "no frame 20; it has frames 11 to 13"));
+    EXPECT_THAT(lancret({"check", f.cache, "--frame", "14"}),
+                refuses_with("no frame 14; it has frames 11 to 13"));
+    EXPECT_THAT(lancret({"expand", f.cache, "--frame", "0"}), refuses_with("no frame 0"));
+    EXPECT_THAT(lancret({"preview", f.made, "--frame", "1", "-o", png}),
+                refuses_with("--frame", "made.toml is no cache"));
+    for (const char* text : {"13-12", "a", "1-", "1-2-3", "99999999999", "1 -2"}) {
+        EXPECT_THAT(f.preview({"--frames", text, "-o", png}),
+                    refuses_with("--frames", text));
+    }
+    EXPECT_THAT(f.preview({"--frames", "11", "--frame", "11", "-o", png}),
+                refuses_with("--frame"));
+}
+
+TEST(Frames, ExpandGrowsTheFrameOnTheRootsOfTheRest) {
+    const Bent f;
+    const auto strands = [&](const std::string& input, const std::string& frame) {
+        const std::string hair = f.at("out.hair");
+        std::vector<std::string> words{"expand", input, "-o", hair};
+        if (!frame.empty()) words.insert(words.end(), {"--frame", frame});
+        EXPECT_THAT(lancret(words), works());
+        return read_hair(hair);
+    };
+    const Strands rest = strands(f.made, ""), first = strands(f.cache, ""),
+                  last = strands(f.cache, "13");
+    ASSERT_EQ(first.size(), 60u);
+    ASSERT_EQ(first.points.size(), rest.points.size());
+    double moved = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        EXPECT_EQ(first.strand(i).front(), rest.strand(i).front());
+        EXPECT_EQ(last.strand(i).front(), rest.strand(i).front());
+        moved += double((last.strand(i).back() - first.strand(i).back()).norm());
+    }
+    // Tips of hairs of 30 cm, bent by another 0.045 / cm: far more than a centimetre.
+    EXPECT_GT(moved / 60, 1);
+    EXPECT_EQ(strands(f.cache, "11").points, first.points);
+}
+
+TEST(Frames, CheckProvesEveryFrameAndNamesTheWorst) {
+    const Bent f;
+    const std::string json = f.at("check.json");
+    // Guides of six segments bend sharply at their joints: another tolerance in cm.
+    const CommandRun run = lancret({"check", f.cache, "--json", json, "--distance", "1"});
+    ASSERT_THAT(run, works());
+    EXPECT_THAT(run.out, HasSubstr("PASS: all 3 frames keep every tolerance"));
+    const auto report = json_of(json);
+    EXPECT_TRUE(report["pass"]);
+    ASSERT_EQ(report["frames"].size(), 3u);
+    EXPECT_EQ(report["frames"][2]["frame"], 13);
+    const double largest = report["worst_over_frames"]["length"]["max_relative_error"];
+    double by_hand = 0;
+    for (const auto& frame : report["frames"])
+        by_hand = std::max<double>(by_hand, frame["length"]["max_relative_error"]);
+    EXPECT_EQ(largest, by_hand);
+    // Reading puts the rest roots on the scalp again: round-off of doubles of some 15 cm.
+    EXPECT_LE(report["worst_over_frames"]["guides"]["root_cm"]["max"], 1e-13);
+    ASSERT_THAT(
+        lancret({"check", f.cache, "--frames", "12", "--json", json, "--distance", "1"}),
+        works());
+    EXPECT_EQ(json_of(json)["frames"].size(), 1u);
+}
+
+TEST(Frames, CheckFindsTheFrameWhoseGuidesLeaveTheScalp) {
+    Bent f;
+    std::vector<Guides> frames{f.at_frame(1), f.at_frame(2), f.at_frame(3)};
+    frames[1].root_positions[7] += Vec3(0, 0.5, 0);
+    f.write(frames);
+    const std::string json = f.at("check.json");
+    const CommandRun run = lancret({"check", f.cache, "--json", json, "--distance", "1"});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.out, HasSubstr("FAIL: 1 of 3 frames go beyond a tolerance, the first "
+                                   "is 12"));
+    const auto report = json_of(json);
+    EXPECT_FALSE(report["pass"]);
+    EXPECT_TRUE(report["frames"][0]["pass"]);
+    EXPECT_FALSE(report["frames"][1]["pass"]);
+    EXPECT_EQ(report["frames"][1]["guides"]["root_guide"], 7);
+    const auto& root = report["worst_over_frames"]["guides"]["root_cm"];
+    EXPECT_EQ(root["frame"], 12);
+    EXPECT_NEAR(root["max"], 0.5, 1e-9);
+}
+
+TEST(Frames, AFrameOfARunUnderWayIsACacheByItself) {
+    const Bent f;
+    FrameStore store(f.at("run.h5"), {24, 1, f.made}, "run", f.rest);
+    store.add(f.at_frame(3), {{"rates", {1, 2}}});
+    const std::string frame = store.frame_file(0).string();
+    EXPECT_THAT(lancret({"preview", frame, "--samples", "1", "-o", f.at("a.png")}),
+                works());
+    const CommandRun info = lancret({"info", frame});
+    ASSERT_THAT(info, works());
+    EXPECT_THAT(info.out, HasSubstr("a run can go on from the last frame"));
+}
+
+TEST(Frames, InfoTellsFramesRateAndGroom) {
+    const Bent f;
+    const std::string json = f.at("info.json");
+    const CommandRun info = lancret({"info", f.cache, "--stats", json});
+    ASSERT_THAT(info, works());
+    EXPECT_THAT(info.out,
+                AllOf(HasSubstr("3 frames from 11 at 24 a second"),
+                      HasSubstr("groom: " + f.made), HasSubstr("rest pose: its own")));
+    const auto stats = json_of(json);
+    EXPECT_EQ(stats["last_frame"], 13);
+    EXPECT_EQ(stats["groom"], f.made);
+}
+
+TEST(Frames, ACacheOfOneFrameByFitIsBoundAtItsFrame) {
+    const Bent f;
+    const CommandRun run = lancret({"check", f.at("fit.h5"), "--distance", "1"});
+    ASSERT_THAT(run, works());
+    EXPECT_THAT(run.out, HasSubstr("PASS: all 1 frames"));
+    EXPECT_THAT(run.out, HasSubstr("not asked"));
+}
+
+}  // namespace
+}  // namespace lancret
