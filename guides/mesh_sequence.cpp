@@ -68,7 +68,9 @@ void check_topology(const std::string& name, const TriangleMesh& mesh,
 }  // namespace
 
 std::filesystem::path frame_path(std::string_view pattern, int frame) {
-    const FrameField field = next_field(pattern, 0);
+    // Folders may be called what they like.
+    const std::size_t name = pattern.find_last_of('/') + 1;
+    const FrameField field = next_field(pattern, name);
     if (field.begin == pattern.npos || field.digits > kMostDigits ||
         next_field(pattern, field.end).begin != pattern.npos) {
         throw InputError(fmt::format(

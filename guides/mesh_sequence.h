@@ -13,16 +13,16 @@ namespace lancret {
 
 /// Where the files are.
 struct ObjSequence {
-    /// A path with the frame's place in it, once: "head.%04d.obj", "head.%d.obj" or
-    /// "head.####.obj" (as many digits as there are #, zeros before).
+    /// A path with the frame's place in the file's name, once: "head.%04d.obj",
+    /// "head.%d.obj" or "head.####.obj" (as many digits as there are #, zeros before).
     std::string pattern;
     int first = 0, last = 0;          ///< frames that there are files for
     double centimetres_per_unit = 1;  ///< of the files' coordinates
     double frames_per_second = 24;
 };
 
-/// The path of a frame's file. Throws InputError where the pattern has not exactly one
-/// place for a frame, or one of more than 12 digits.
+/// The path of a frame's file. Throws InputError where the file's name has not exactly
+/// one place for a frame, or one of more than 12 digits.
 std::filesystem::path frame_path(std::string_view pattern, int frame);
 
 /// A vertex at one time.

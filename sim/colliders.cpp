@@ -82,11 +82,14 @@ int Colliders::add(const Capsule& capsule, const RigidPose& pose) {
     return size() - 1;
 }
 
-int Colliders::add(const TriangleMesh& mesh, const RigidPose& pose) {
+int Colliders::add(const TriangleMesh& mesh, const RigidPose& pose, double depth) {
     check(pose);
-    bodies_.push_back(
-        {MeshBody{mesh, mesh.positions, SignedDistance(mesh), box_of(mesh.positions)},
-         pose, pose});
+    if (!(depth >= 0 && std::isfinite(depth))) {
+        throw std::invalid_argument("Colliders: a depth is 0 or more");
+    }
+    bodies_.push_back({MeshBody{mesh, mesh.positions, SignedDistance(mesh),
+                                box_of(mesh.positions), depth},
+                       pose, pose});
     return size() - 1;
 }
 
@@ -129,15 +132,16 @@ SurfaceSample Colliders::near(const Body& body, const Vec3& place, double within
         return near_capsule(*capsule, place);
     }
     const auto& mesh = std::get<MeshBody>(body.shape);
-    // Outside of the box the distance is positive, and matters only below the best so
-    // far. Inside, that of a closed mesh may be negative at any depth.
-    const double reach = std::max(0.0, std::min(within, best));
+    // Outside of its box a closed mesh is at a positive distance, which matters only
+    // below the best so far; inside at a negative one of any size, perhaps. Behind a mesh
+    // with borders a place may be anywhere.
+    const bool closed = mesh.distance.closed();
+    const double reach =
+        closed ? std::max(0.0, std::min(within, best)) : std::max(within, mesh.depth);
     const double outside = mesh.box.exteriorDistance(place);
     if (outside > reach) return {};
-    const double search = outside > 0 ? reach
-                          : mesh.distance.closed()
-                              ? std::numeric_limits<double>::infinity()
-                              : within;
+    const double search =
+        closed && outside == 0 ? std::numeric_limits<double>::infinity() : reach;
     const MeshDistance found = mesh.distance.at(place, search);
     return {found.distance, found.normal, found.point, -1, found.triangle};
 }

@@ -36,7 +36,9 @@ class Colliders {
     /// std::invalid_argument where a number is not finite, a radius is below 0, a
     /// rotation is none, or as SignedDistance does of a mesh.
     int add(const Capsule& capsule, const RigidPose& pose = {});
-    int add(const TriangleMesh& mesh, const RigidPose& pose = {});
+    /// `depth` (cm, >= 0) is how far behind a mesh with borders is still in it; a closed
+    /// mesh does not ask.
+    int add(const TriangleMesh& mesh, const RigidPose& pose = {}, double depth = 1);
     int size() const { return int(bodies_.size()); }
 
     /// Gives body `index` its place at the new time; what was current becomes the
@@ -50,8 +52,9 @@ class Colliders {
 
     /// The smallest signed distance from x (world, cm, finite) of all bodies, now; of
     /// equal ones that of the lowest index. A body further off than `within` (cm, >= 0)
-    /// counts as none. Inside of a closed body it is found at any depth; behind a mesh
-    /// with borders, which has no inside, only down to `within`.
+    /// counts as none. Inside of a closed body it is found at any depth; a mesh with
+    /// borders has no inside, and what is behind it is found down to `within` or its
+    /// depth, whichever is more.
     SurfaceSample nearest(const Vec3& x, double within) const;
 
     /// Where the point that was at x (world, cm) at the previous time is now, if it
@@ -67,6 +70,7 @@ class Colliders {
         std::vector<Vec3f> previous;  ///< [vertices], cm
         SignedDistance distance;
         Eigen::AlignedBox3d box;
+        double depth = 0;       ///< cm
         bool deformed = false;  ///< between the previous time and now
     };
     struct Body {

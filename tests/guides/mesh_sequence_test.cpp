@@ -34,6 +34,7 @@ TEST(MeshSequence, FramePathsHaveTheirDigits) {
     EXPECT_EQ(frame_path("head.####.obj", 12345), "head.12345.obj");
     EXPECT_EQ(frame_path("head.#.obj", 3), "head.3.obj");
     EXPECT_EQ(frame_path("head%d.obj", 12), "head12.obj");
+    EXPECT_EQ(frame_path("take#2/%d/h.#.obj", 7), "take#2/%d/h.7.obj");
     EXPECT_EQ(frame_path("h_%03d", -5), "h_-05");
     EXPECT_EQ(frame_path("100%/{}_%2d", 5), "100%/{}_05");
 }

@@ -113,12 +113,31 @@ TEST(Colliders, DeepInsideIsFoundHoweverShortTheReach) {
     Colliders colliders;
     colliders.add(box_mesh({2, 2, 2}));
     EXPECT_NEAR(colliders.nearest({0.5, 0, 0}, 0.01).distance, -1.5, 1e-15);
-    // A sheet has no inside: what is far behind it is free.
-    Colliders sheet;
-    sheet.add(square_mesh(1, 2), turned(0.5, {1, 1, 0}, {0, 0, 0}));
+}
+
+TEST(Colliders, BehindAMeshWithBordersIsInItDownToItsDepth) {
     const RigidPose pose = turned(0.5, {1, 1, 0}, {0, 0, 0});
-    EXPECT_NEAR(sheet.nearest(pose * Vec3(0.3, 0.4, -0.05), 0.1).distance, -0.05, 1e-15);
-    EXPECT_EQ(sheet.nearest(pose * Vec3(0.3, 0.4, -0.2), 0.1).collider, -1);
+    const auto at = [&](const Colliders& colliders, double height, double within) {
+        return colliders.nearest(pose * Vec3(0.3, 0.4, height), within);
+    };
+    Colliders thin, thick;
+    thin.add(square_mesh(1, 2), pose, 0);
+    thick.add(square_mesh(1, 2), pose, 0.5);
+    EXPECT_NEAR(at(thin, -0.05, 0.1).distance, -0.05, 1e-15);
+    EXPECT_EQ(at(thin, -0.2, 0.1).collider, -1);
+    EXPECT_NEAR(at(thick, -0.4, 0.1).distance, -0.4, 1e-15);
+    EXPECT_EQ(at(thick, -0.6, 0.1).collider, -1);
+    EXPECT_EQ(at(thick, 0.4, 0.1).collider, -1);  // in front there is none
+    // Deeper in the sheet than in a ball before it, whichever comes first.
+    const Vec3 centre(0.3, 0.4, -0.4);
+    for (const bool ball_first : {false, true}) {
+        Colliders both;
+        if (ball_first) both.add(Capsule{centre, centre, 0.1}, pose);
+        both.add(square_mesh(1, 2), pose, 0.5);
+        if (!ball_first) both.add(Capsule{centre, centre, 0.1}, pose);
+        EXPECT_NEAR(at(both, -0.4, 0.05).distance, -0.4, 1e-15);
+        EXPECT_EQ(at(both, -0.4, 0.05).collider, ball_first ? 1 : 0);
+    }
 }
 
 TEST(Colliders, MoveMakesTheCurrentPoseThePrevious) {
@@ -215,6 +234,7 @@ TEST(Colliders, RejectsWhatIsNoBody) {
                  std::invalid_argument);
     EXPECT_THROW(colliders.add(Capsule{{0, 0, 0}, {0, 0, 0}, -1}), std::invalid_argument);
     EXPECT_THROW(colliders.add(TriangleMesh{}), std::invalid_argument);
+    EXPECT_THROW(colliders.add(square_mesh(1, 1), {}, nan), std::invalid_argument);
     EXPECT_EQ(colliders.size(), 0);
     EXPECT_EQ(colliders.nearest({0, 0, 0}, kFar).collider, -1);
     colliders.add(Capsule{});
