@@ -97,8 +97,8 @@ std::pair<double, double> recursion_error(const TestRod& rod, double diagonal,
         load[q] = random_vector(random, 1e-3);
         if (with_points) {
             const Vec3 normal = random_vector(random, 1).normalized();
-            at.system.add_point(q, 0.3 * rod.lengths[q], 20 * normal * normal.transpose(),
-                                random_vector(random, 1));
+            at.system.add(at.system.point(q, 0.3 * rod.lengths[q]),
+                          20 * normal * normal.transpose(), random_vector(random, 1));
         }
     }
     Eigen::MatrixXd matrix;
