@@ -15,7 +15,7 @@
 namespace lancret {
 
 struct SimulationSettings {
-    HairMaterial material;
+    RodMaterial material;
     Dissipation dissipation = Dissipation::viscoelastic;
     double damping = 0.05;     ///< mu, s, or gamma, dyn cm^2 s
     Vec3 gravity{0, -981, 0};  ///< cm/s^2

@@ -13,6 +13,7 @@
 #include "guides/atomic_file.h"
 #include "guides/errors.h"
 #include "guides/guide_cache.h"
+#include "guides/obj_file.h"
 #include "tools/progress.h"
 #include "tools/quiet_stderr.h"
 
@@ -57,6 +58,18 @@ std::filesystem::path groom_of_cache(const std::filesystem::path& cache) {
     std::error_code unknown;  // counts as not there
     const bool there = std::filesystem::is_regular_file(groom, unknown);
     return there && groom.extension() == ".toml" ? groom : std::filesystem::path();
+}
+
+/// Where the head is at a frame.
+ScalpPoseAt head_pose(const MotionSettings& motion, const Groom& groom) {
+    std::optional<TriangleMesh> rest;
+    if (!motion.files.pattern.empty() && !groom.scalp_file.empty()) {
+        rest = read_obj(groom.scalp_file);
+        for (Vec3f& p : rest->positions) p *= float(groom.scene.centimetres_per_unit());
+    }
+    const auto path = std::make_shared<const ScalpMotion>(
+        scalp_motion(motion, rest ? &*rest : nullptr, 24));
+    return [path](double frame) { return scalp_pose(scalp_at(*path, frame)); };
 }
 
 void lay_over(const GroomOptions& options, Groom& groom) {
@@ -124,7 +137,10 @@ Job read_job(const GroomOptions& options) {
         if (extension == ".h5") job.groom.guides_file = options.input;
         const QuietStderr quiet;  // the textures' errors are told by ours
         job.preview = read_preview_settings(toml, job.groom.scene.up.cast<float>());
+        job.dynamics = read_dynamics(toml, job.groom.scene);
         toml.finish();
+        std::ifstream file(toml_file, std::ios::binary);
+        job.settings_text.assign(std::istreambuf_iterator<char>(file), {});
     } else if (extension == ".hair" || extension == ".h5") {
         job.groom = groom_of_file(options.input);
     } else {
@@ -132,6 +148,9 @@ Job read_job(const GroomOptions& options) {
                                      options.input.string()));
     }
     lay_over(options, job.groom);
+    if (!job.dynamics.motion.keys.empty() || !job.dynamics.motion.files.pattern.empty()) {
+        job.pose_at = head_pose(job.dynamics.motion, job.groom);
+    }
     const bool cached = !job.groom.guides_file.empty();
     if (cached || job.groom.strands_file.extension() == ".h5") {
         const auto refuse = [&](const char* option) {

@@ -12,6 +12,7 @@
 #include "procedural/generator.h"
 #include "procedural/pose.h"
 #include "render_test/preview_settings.h"
+#include "tools/dynamics_settings.h"
 
 namespace lancret {
 
@@ -34,7 +35,9 @@ void add_groom_options(CLI::App& command, GroomOptions& options);
 struct Job {
     Groom groom;
     PreviewSettings preview;
-    ScalpPoseAt pose_at;  ///< none: the scalp stays at rest
+    DynamicsSettings dynamics;
+    std::string settings_text;  ///< of the TOML; empty where there is none
+    ScalpPoseAt pose_at;        ///< none: the scalp stays at rest
 };
 
 /// Reads GROOM.toml, FILE.hair or GUIDES.h5 and lays the options over it. Throws
@@ -66,6 +69,7 @@ void add_preview(CLI::App& app, int& exit_code);
 void add_expand(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_fit(CLI::App& app, int& exit_code);
+void add_simulate(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
 
 }  // namespace lancret

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
     add_expand(app, exit_code);
     add_check(app, exit_code);
     add_fit(app, exit_code);
+    add_simulate(app, exit_code);
     add_info(app, exit_code);
     try {
         if (argc > 1) check_subcommand(app, argv[1]);

@@ -1,0 +1,245 @@
+#include "tools/dynamics_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "guides/closest_point.h"
+#include "guides/errors.h"
+#include "guides/obj_file.h"
+
+namespace lancret {
+
+namespace {
+
+constexpr std::string_view kDissipations[] = {"viscoelastic", "uniform"};
+constexpr std::string_view kIntegrators[] = {"implicit-euler", "bdf2", "semi-implicit"};
+constexpr std::string_view kShapes[] = {"sphere", "capsule", "mesh"};
+constexpr double kMostFrame = 1e6;
+
+template <class T, class U>
+void set(T& to, const std::optional<U>& value) {
+    if (value) to = T(*value);
+}
+
+void read_material(const TomlTable& dynamics, SimulationSettings& out) {
+    RodMaterial& hair = out.material;
+    set(hair.young_modulus, dynamics.number("young_modulus", 1e3, 1e15));
+    set(hair.poisson_ratio, dynamics.number("poisson_ratio", -0.99, 0.5));
+    set(hair.radius1, dynamics.number("radius", 1e-5, 10));
+    hair.radius2 = hair.radius1;
+    set(hair.radius2, dynamics.number("radius2", 1e-5, 10));
+    set(hair.density, dynamics.number("density", 1e-3, 1e3));
+    if (const auto form = dynamics.choice("dissipation", kDissipations)) {
+        out.dissipation = Dissipation(*form);
+    }
+    set(out.damping, dynamics.number("damping", 0, 1e6));
+    set(out.drag, dynamics.number("drag", 0, 1e3));
+}
+
+void read_contact(const TomlTable& contact, DynamicsSettings& out) {
+    ContactSettings& c = out.simulation.contact;
+    set(out.collide_with_head, contact.boolean("head"));
+    set(c.thickness, contact.number("thickness", 0, 10));
+    set(c.stiffness, contact.number("stiffness", 1e-3, 1e9));
+    set(c.regularization, contact.number("regularization", 1e-6, 10));
+    set(c.friction, contact.number("friction", 0, 10));
+    set(c.free_root, contact.number("free_root", 0, 100));
+    set(c.stations, contact.integer("stations", 1, 16));
+}
+
+void read_strands(const TomlTable& strands, StrandContactSettings& out) {
+    set(out.radius, strands.number("radius", 0, 10));
+    set(out.stiffness, strands.number("stiffness", 0, 1e6));
+    set(out.friction_across, strands.number("friction_across", 0, 1e3));
+    set(out.friction_along, strands.number("friction_along", 0, 1e3));
+    set(out.cohesion, strands.number("cohesion", 0, 1e6));
+}
+
+void read_wind(const TomlTable& wind, WindSettings& out) {
+    set(out.mean, wind.vector("velocity"));
+    set(out.turbulence, wind.number("turbulence", 0, 1e5));
+    set(out.length_scale, wind.number("length_scale", 0.1, 1e5));
+    set(out.time_scale, wind.number("time_scale", 1e-3, 1e5));
+    set(out.seed, wind.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+}
+
+void read_step(const TomlTable& dynamics, SimulationSettings& out) {
+    if (const auto choice = dynamics.choice("integrator", kIntegrators)) {
+        out.step.integrator = Integrator(*choice);
+    }
+    set(out.substeps, dynamics.integer("substeps", 1, 1000));
+    set(out.adaptive, dynamics.boolean("adaptive"));
+    set(out.error_tolerance, dynamics.number("error_tolerance", 1e-6, 1e3));
+    set(out.sag_free, dynamics.boolean("sag_free"));
+}
+
+void read_keys(const TomlTable& table, MotionSettings& out) {
+    set(out.pivot, table.vector("pivot"));
+    for (const TomlTable& key : table.tables("keys")) {
+        PoseKey pose;
+        const auto frame = key.number("frame", -kMostFrame, kMostFrame);
+        if (!frame) key.fail("", "a key needs its 'frame'");
+        pose.frame = *frame;
+        if (!out.keys.empty() && pose.frame < out.keys.back().frame + 1e-6) {
+            key.fail("frame", "the frames of keys must rise");
+        }
+        set(pose.translation, key.vector("move"));
+        set(pose.rotation, key.vector("turn"));
+        out.keys.push_back(pose);
+    }
+}
+
+MotionSettings read_motion(const TomlTable& table) {
+    MotionSettings out;
+    read_keys(table, out);
+    if (const auto files = table.path("files")) {
+        if (!out.keys.empty()) {
+            table.fail("files", "a head moves by 'keys' or by 'files', not both");
+        }
+        out.files.pattern = files->string();
+        const auto first = table.integer("first", 0, std::int64_t(kMostFrame));
+        const auto last = table.integer("last", 0, std::int64_t(kMostFrame));
+        if (!first || !last || *first > *last) {
+            table.fail("files",
+                       "needs the frames that there are files for, 'first' and "
+                       "'last'");
+        }
+        out.files.first = int(*first);
+        out.files.last = int(*last);
+    }
+    return out;
+}
+
+ColliderSettings read_collider(const TomlTable& table) {
+    ColliderSettings out;
+    const auto shape = table.choice("shape", kShapes);
+    if (!shape) table.fail("", "a collider needs its 'shape'");
+    if (*shape == 2) {
+        const auto file = table.path("file");
+        if (!file) table.fail("shape", "a mesh needs its 'file'");
+        out.shape = *file;
+    } else {
+        Capsule body;
+        set(body.radius, table.number("radius", 1e-3, 1e4));
+        set(body.a, table.vector(*shape == 0 ? "centre" : "from"));
+        body.b = body.a;
+        if (*shape == 1) set(body.b, table.vector("to"));
+        out.shape = body;
+    }
+    set(out.with_head, table.boolean("with_head"));
+    read_keys(table, out.motion);
+    if (out.with_head && !out.motion.keys.empty()) {
+        table.fail("keys", "a collider moves with the head or by keys, not both");
+    }
+    return out;
+}
+
+/// A body of the scene, with what moves it.
+struct MovingBody {
+    int index;
+    std::shared_ptr<const ScalpMotion> motion;  ///< nothing: it stands still
+    bool deforms;                               ///< with the scalp's own vertices
+};
+
+TriangleMesh read_body(const std::filesystem::path& file, double scale) {
+    TriangleMesh mesh = read_obj(file);
+    for (Vec3f& p : mesh.positions) p *= float(scale);
+    return mesh;
+}
+
+}  // namespace
+
+DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene) {
+    DynamicsSettings out;
+    const TomlTable dynamics = toml.table("dynamics");
+    out.simulation.gravity = scene.gravity;
+    read_material(dynamics, out.simulation);
+    read_step(dynamics, out.simulation);
+    read_contact(dynamics.table("contact"), out);
+    read_strands(dynamics.table("strands"), out.simulation.strand_contact);
+    read_wind(dynamics.table("wind"), out.simulation.wind);
+    out.motion = read_motion(toml.table("motion"));
+    out.motion.files.centimetres_per_unit = scene.centimetres_per_unit();
+    for (const TomlTable& table : toml.tables("colliders")) {
+        out.colliders.push_back(read_collider(table));
+    }
+    return out;
+}
+
+ScalpMotion scalp_motion(const MotionSettings& settings, const TriangleMesh* rest,
+                         double frames_per_second) {
+    if (!settings.files.pattern.empty()) {
+        if (!rest) {
+            throw InputError(fmt::format("{}: moves a scalp, and the groom has none",
+                                         settings.files.pattern));
+        }
+        ObjSequence files = settings.files;
+        files.frames_per_second = frames_per_second;
+        return MeshSequence(std::move(files), *rest);
+    }
+    std::vector<PoseKey> keys = settings.keys;
+    if (keys.empty()) keys.push_back({});
+    return make_rigid_path(std::move(keys), settings.pivot, frames_per_second);
+}
+
+SimulationScene simulation_scene(const DynamicsSettings& settings,
+                                 const GroomGuides& source, const SceneUnits& scene,
+                                 double frames_per_second) {
+    const TriangleMesh* rest = source.scalp ? &source.scalp->mesh : nullptr;
+    const auto head = std::make_shared<const ScalpMotion>(
+        scalp_motion(settings.motion, rest, frames_per_second));
+    SimulationScene out{scalp_motion(settings.motion, rest, frames_per_second),
+                        {},
+                        frames_per_second,
+                        {},
+                        {}};
+    const bool deforms = !settings.motion.files.pattern.empty();
+    std::vector<MovingBody> bodies;
+    const TriangleMesh* body = source.body && !deforms ? &*source.body : rest;
+    if (settings.collide_with_head && body) {
+        bodies.push_back({out.colliders.add(*body), head, deforms});
+    }
+    for (const ColliderSettings& collider : settings.colliders) {
+        const int index = std::holds_alternative<Capsule>(collider.shape)
+                              ? out.colliders.add(std::get<Capsule>(collider.shape))
+                              : out.colliders.add(read_body(
+                                    std::get<std::filesystem::path>(collider.shape),
+                                    scene.centimetres_per_unit()));
+        if (collider.with_head && deforms) {
+            throw InputError(
+                "colliders: none can move with a head that deforms; give it keys");
+        }
+        std::shared_ptr<const ScalpMotion> motion;
+        if (collider.with_head) motion = head;
+        if (!collider.motion.keys.empty()) {
+            motion = std::make_shared<const ScalpMotion>(
+                scalp_motion(collider.motion, nullptr, frames_per_second));
+        }
+        bodies.push_back({index, motion, false});
+    }
+    const auto rest_mesh =
+        std::make_shared<const TriangleMesh>(deforms && rest ? *rest : TriangleMesh{});
+    out.move_colliders = [bodies, rest_mesh](double frame, Colliders& colliders) {
+        for (const MovingBody& moving : bodies) {
+            if (!moving.motion) continue;
+            const ScalpTime time = scalp_at(*moving.motion, frame);
+            if (moving.deforms) {
+                colliders.move(moving.index, posed(time, *rest_mesh).positions);
+            } else {
+                colliders.move(moving.index, std::get<RigidMotion>(time).pose);
+            }
+        }
+    };
+    std::optional<ClosestPoint> closest;
+    if (rest) closest.emplace(*rest);
+    for (std::size_t g = 0; g < source.guides.size(); ++g) {
+        RestRoot root{source.guides.root(g), {}};
+        if (closest) root.point = closest->closest(root.pose.position).point;
+        out.roots.push_back(root);
+    }
+    return out;
+}
+
+}  // namespace lancret

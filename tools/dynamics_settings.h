@@ -1,0 +1,50 @@
+#pragma once
+// What a groom's TOML says of its dynamics: the tables [dynamics], [motion] and
+// [[colliders]]. docs/formats.md lists their keys.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "procedural/groom_guides.h"
+#include "procedural/toml_table.h"
+#include "sim/simulation.h"
+
+namespace lancret {
+
+/// How the head moves; without keys and files it stands still.
+struct MotionSettings {
+    std::vector<PoseKey> keys;
+    Vec3 pivot = Vec3::Zero();  ///< cm
+    ObjSequence files;          ///< of the scalp; an empty pattern: none
+};
+
+/// A body beside the head.
+struct ColliderSettings {
+    std::variant<Capsule, std::filesystem::path> shape;  ///< a path is that of an OBJ
+    bool with_head = false;                              ///< moves as the head does
+    MotionSettings motion;                               ///< its own keys, else
+};
+
+struct DynamicsSettings {
+    SimulationSettings simulation;
+    MotionSettings motion;
+    bool collide_with_head = true;
+    std::vector<ColliderSettings> colliders;
+};
+
+/// Reads the three tables. `gravity` is the scene's.
+DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene);
+
+/// The head's motion. `rest` is the scalp at rest, asked for by a mesh sequence alone.
+/// Throws InputError where that has none.
+ScalpMotion scalp_motion(const MotionSettings& settings, const TriangleMesh* rest,
+                         double frames_per_second);
+
+/// What the guides of a groom move with. Throws InputError.
+SimulationScene simulation_scene(const DynamicsSettings& settings,
+                                 const GroomGuides& source, const SceneUnits& scene,
+                                 double frames_per_second);
+
+}  // namespace lancret
