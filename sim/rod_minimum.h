@@ -1,0 +1,22 @@
+#pragma once
+// Minima of a hanging rod's energy, wherever the search starts.
+
+#include "sim/rod_energy.h"
+
+namespace lancret {
+
+struct RodMinimum {
+    Eigen::VectorXd q;
+    bool converged = false;
+    double smallest_eigenvalue = 0;  ///< of scaled_hessian
+    int escapes = 0;                 ///< how often a saddle was left
+};
+
+/// Goes downhill from `start` by Newton's method with a shifted Hessian and a line
+/// search; a stationary point that is no minimum is left along its most negative
+/// direction, until there is none. At most 2000 iterations. Of the two signs, mirror
+/// images where the rod has a mirror, the one is taken that bends towards n1; where
+/// neither does, towards n2; then that which twists positively.
+RodMinimum rod_minimum(const HangingRod& rod, const Eigen::VectorXd& start);
+
+}  // namespace lancret
