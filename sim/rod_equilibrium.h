@@ -1,8 +1,6 @@
 #pragma once
 // The shape in which a rod hangs.
 
-#include <optional>
-
 #include "sim/rod_energy.h"
 
 namespace lancret {
@@ -11,25 +9,22 @@ struct RodEquilibrium {
     Eigen::VectorXd q;               ///< [3 segments], 1/cm
     RodEnergy energy;                ///< erg
     double smallest_eigenvalue = 1;  ///< of D^-1 H, D = K l: 1 without weight
-    bool left_branch = false;  ///< it is not the one that continues the natural shape
+    int snaps = 0;                   ///< how often the branch ended on the way
+    bool left_branch = false;        ///< it does not continue the natural shape
     bool converged = false;
     bool stable = false;  ///< converged, and a minimum but for neutral directions
 };
 
+enum class Branch {
+    leave,  ///< where it is no minimum
+    keep,   ///< stable or not
+};
+
 /// The equilibrium reached as the weight grows from none, and where that is no minimum of
 /// the energy, the minimum reached by leaving it (rod_minimum says which way). Where the
-/// branch ends in a fold, so that the rod would snap, it goes downhill and on from there.
-/// Throws std::invalid_argument as check_rod does; ends always.
-RodEquilibrium rod_equilibrium(const HangingRod& rod);
-
-/// The equilibrium that continues the natural shape, stable or not; none where the branch
-/// ends before the full weight.
-std::optional<RodEquilibrium> rod_branch_equilibrium(const HangingRod& rod);
-
-/// The smallest factor on rod.gravity, up to `most`, at which the branch from the natural
-/// shape stops being stable: the Hessian is singular there, to 1e-9 of the factor (1e-6
-/// where the branch itself ends). None where there is no such factor. Two changes within
-/// 10 % of the weight may pass for none.
-std::optional<double> critical_weight(const HangingRod& rod, double most);
+/// branch ends in a fold on the way, the rod goes downhill to another, in its plane if it
+/// has one. Throws std::invalid_argument as check_rod does; ends always, and where it
+/// ends without an answer, not `converged`.
+RodEquilibrium rod_equilibrium(const HangingRod& rod, Branch branch = Branch::leave);
 
 }  // namespace lancret

@@ -72,15 +72,25 @@ class Search {
         return true;
     }
 
-    bool step_down() {
-        Eigen::LLT<Eigen::MatrixXd> factor(hessian_);
-        for (double shift = 1e-3; factor.info() != Eigen::Success && shift < 1e12;
-             shift *= 4) {
-            Eigen::MatrixXd shifted = hessian_;
-            shifted.diagonal().array() += shift;
-            factor.compute(shifted);
+    Eigen::VectorXd direction() const {
+        const Eigen::LLT<Eigen::MatrixXd> factor(hessian_);
+        if (factor.info() == Eigen::Success) return -factor.solve(gradient_);
+        // Where there is negative curvature, uphill is downhill: the eigenvalues without
+        // their signs. A gradient that has nothing but round-off along such a direction,
+        // as on a plane of symmetry, is none.
+        const auto spectrum = this->spectrum();
+        const Eigen::VectorXd& rates = spectrum.eigenvalues();
+        Eigen::VectorXd parts = spectrum.eigenvectors().transpose() * gradient_;
+        const double noise = 1e-7 * gradient_.norm();
+        for (Eigen::Index i = 0; i < parts.size(); ++i) {
+            if (rates(i) < 0 && std::abs(parts(i)) < noise) parts(i) = 0;
+            parts(i) /= std::max(std::abs(rates(i)), 1e-3);
         }
-        Eigen::VectorXd step = -factor.solve(gradient_);
+        return -(spectrum.eigenvectors() * parts);
+    }
+
+    bool step_down() {
+        const Eigen::VectorXd step = direction();
         const double slope = step.dot(gradient_);
         if (!step.allFinite() || !(slope < 0)) return false;
         const double longest = 4 * unit_ * (1 + std::sqrt(std::sqrt(weight_)));
@@ -119,14 +129,18 @@ Eigen::VectorXd way_out(const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& sp
 
 }  // namespace
 
-RodMinimum rod_minimum(const HangingRod& rod, const Eigen::VectorXd& start) {
+RodMinimum rod_minimum(const HangingRod& rod, const Eigen::VectorXd& start,
+                       Saddles saddles) {
     Search search(rod, start);
     RodMinimum out;
     for (int iterations = 0;;) {
         out.converged = search.go_down(iterations);
         const auto spectrum = search.spectrum();
         out.smallest_eigenvalue = spectrum.eigenvalues()(0);
-        if (!out.converged || out.smallest_eigenvalue > -neutral_eigenvalue(rod)) break;
+        if (!out.converged || saddles == Saddles::keep ||
+            out.smallest_eigenvalue > -neutral_eigenvalue(rod)) {
+            break;
+        }
         if (out.escapes == kMostEscapes ||
             !search.leave(way_out(spectrum, search.scale()), out.smallest_eigenvalue)) {
             out.converged = false;
