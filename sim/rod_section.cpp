@@ -6,7 +6,7 @@
 
 namespace lancret {
 
-RodSection rod_section(const HairMaterial& material, Dissipation form, double damping) {
+RodSection rod_section(const RodMaterial& material, Dissipation form, double damping) {
     const auto& [young, poisson, a1, a2, density] = material;
     // Written so that a NaN fails.
     const auto positive = [](double x) { return x > 0 && std::isfinite(x); };

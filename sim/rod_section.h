@@ -6,7 +6,7 @@
 namespace lancret {
 
 /// A homogeneous hair of elliptic cross-section [Bergbom07, Sec. 4.2.1].
-struct HairMaterial {
+struct RodMaterial {
     double young_modulus = 4e10;  ///< E, dyn/cm^2
     double poisson_ratio = 0.48;  ///< sigma
     double radius1 = 0.004;       ///< a1, the half axis along n1, cm
@@ -32,6 +32,6 @@ struct RodSection {
 /// E / 2 (1 + sigma), and rho S. `damping` is mu (s) or gamma (dyn cm^2 s). Throws
 /// std::invalid_argument where a constant is not finite, a modulus, radius or density is
 /// not above 0, sigma is outside (-1, 0.5], or the damping is below 0.
-RodSection rod_section(const HairMaterial& material, Dissipation form, double damping);
+RodSection rod_section(const RodMaterial& material, Dissipation form, double damping);
 
 }  // namespace lancret

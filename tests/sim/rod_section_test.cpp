@@ -11,7 +11,7 @@ namespace {
 
 TEST(RodSection, RoundHairHasTheClosedForm) {
     // E I = E pi r^4 / 4, G J = E / (2 (1 + sigma)) pi r^4 / 2, rho S = rho pi r^2.
-    const HairMaterial hair;
+    const RodMaterial hair;
     const RodSection section = rod_section(hair, Dissipation::viscoelastic, 0.1);
     const double bending = 4e10 * std::numbers::pi / 4 * std::pow(0.004, 4);
     EXPECT_NEAR(section.stiffness.y() / bending, 1, 1e-14);
@@ -23,7 +23,7 @@ TEST(RodSection, RoundHairHasTheClosedForm) {
 
 TEST(RodSection, FlatHairBendsOverItsThinSide) {
     // k2 bends towards n1 (T' = k2 n1 - k1 n2), across the half axis a1: I ~ a1^3 a2.
-    HairMaterial hair;
+    RodMaterial hair;
     hair.radius1 = 0.002;
     hair.radius2 = 0.006;
     const RodSection section = rod_section(hair, Dissipation::uniform, 3);
@@ -36,16 +36,16 @@ TEST(RodSection, FlatHairBendsOverItsThinSide) {
 
 TEST(RodSection, RefusesWhatIsNoHair) {
     const auto refuses = [](auto change) {
-        HairMaterial hair;
+        RodMaterial hair;
         change(hair);
         EXPECT_THROW(rod_section(hair, Dissipation::uniform, 0), std::invalid_argument);
     };
-    refuses([](HairMaterial& h) { h.young_modulus = 0; });
+    refuses([](RodMaterial& h) { h.young_modulus = 0; });
     refuses(
-        [](HairMaterial& h) { h.density = std::numeric_limits<double>::quiet_NaN(); });
-    refuses([](HairMaterial& h) { h.radius2 = -1; });
-    refuses([](HairMaterial& h) { h.radius1 = std::numeric_limits<double>::infinity(); });
-    refuses([](HairMaterial& h) { h.poisson_ratio = 0.51; });
+        [](RodMaterial& h) { h.density = std::numeric_limits<double>::quiet_NaN(); });
+    refuses([](RodMaterial& h) { h.radius2 = -1; });
+    refuses([](RodMaterial& h) { h.radius1 = std::numeric_limits<double>::infinity(); });
+    refuses([](RodMaterial& h) { h.poisson_ratio = 0.51; });
     EXPECT_THROW(rod_section({}, Dissipation::uniform, -1), std::invalid_argument);
 }
 
