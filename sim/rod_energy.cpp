@@ -116,7 +116,7 @@ std::vector<HelixState<double>> rod_joints(const HangingRod& rod,
     return out;
 }
 
-RodEnergy rod_energy(const HangingRod& rod, const Eigen::VectorXd& q) {
+HangingEnergy rod_energy(const HangingRod& rod, const Eigen::VectorXd& q) {
     GravityTerms gravity;
     gravity_terms(rod, q, Derivatives::none, gravity);
     const Eigen::VectorXd bent = q - natural_curvatures(rod);

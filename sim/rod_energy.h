@@ -40,13 +40,13 @@ Eigen::VectorXd stiffness_diagonal(const HangingRod& rod);
 std::vector<HelixState<double>> rod_joints(const HangingRod& rod,
                                            const Eigen::VectorXd& q);
 
-struct RodEnergy {
+struct HangingEnergy {
     double elastic = 0, gravity = 0;  ///< erg; gravity's is 0 with all mass at the root
 
     double total() const { return elastic + gravity; }
 };
 
-RodEnergy rod_energy(const HangingRod& rod, const Eigen::VectorXd& q);
+HangingEnergy rod_energy(const HangingRod& rod, const Eigen::VectorXd& q);
 
 /// Gravity's part of the energy's gradient, -rho S int J^T g ds, and Hessian.
 struct GravityTerms {

@@ -11,7 +11,7 @@ RodEquilibrium rod_equilibrium(const HangingRod& rod, Branch which) {
     RodEquilibrium out;
     RodBranch branch(rod);
     const double any = std::numeric_limits<double>::infinity();
-    out.converged = walk(branch, rod, 1, any, [&](WalkEvent event) {
+    out.converged = walk_branch(branch, rod, 1, any, [&](WalkEvent event) {
         if (event == WalkEvent::fold) ++out.snaps;
         return true;
     });

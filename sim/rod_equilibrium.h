@@ -7,7 +7,7 @@ namespace lancret {
 
 struct RodEquilibrium {
     Eigen::VectorXd q;               ///< [3 segments], 1/cm
-    RodEnergy energy;                ///< erg
+    HangingEnergy energy;            ///< erg
     double smallest_eigenvalue = 1;  ///< of D^-1 H, D = K l: 1 without weight
     int snaps = 0;                   ///< how often the branch ended on the way
     bool left_branch = false;        ///< it does not continue the natural shape

@@ -40,7 +40,7 @@ std::vector<StabilityChange> stability_changes(const HangingRod& rod, double mos
     RodBranch branch(rod), before = branch;
     if (weight_number(rod) == 0 || count == 0) return out;
     double fold = 0;
-    walk(branch, rod, most, 0.1, [&](WalkEvent event) {
+    walk_branch(branch, rod, most, 0.1, [&](WalkEvent event) {
         const bool stable = branch.hessian_is_positive();
         if (event == WalkEvent::fold) {
             fold = branch.weight();

@@ -6,8 +6,8 @@
 
 namespace lancret {
 
-bool walk(RodBranch& branch, const HangingRod& rod, double most, double growth,
-          const std::function<bool(WalkEvent)>& visit) {
+bool walk_branch(RodBranch& branch, const HangingRod& rod, double most, double growth,
+                 const std::function<bool(WalkEvent)>& visit) {
     constexpr int kMostSteps = 5000, kMostSnaps = 100;
     // A step below this share of the weight is no step: the branch turns back.
     constexpr double kShortest = 1e-9;

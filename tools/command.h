@@ -65,5 +65,6 @@ void add_expand(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_fit(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
+void add_rod(CLI::App& app, int& exit_code);
 
 }  // namespace lancret
