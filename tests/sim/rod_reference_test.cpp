@@ -25,7 +25,7 @@ TEST(SlowRodReference, HeavyElasticaClampedHorizontally) {
           Row{10, 0.7001997155, 0.6563537612, 1.0526431172, 3.742191111},
           Row{100, 0.9375239354, 0.1592233826, 1.5641073206, 13.693238736},
           Row{1000, 0.9811412693, 0.0459864548, 1.5707963223, 44.297658387}}) {
-        // The layer at the root, 1 / sqrt(2 Gamma) long, spans a segment at least.
+        // The layer at the root, 1 / sqrt(Gamma) long, spans a segment at least.
         const int coarsest = row.gamma > 100 ? 40 : 20;
         const auto expect = [&](const char* what, const auto& reference, double limit,
                                 auto&& value) {
