@@ -4,7 +4,7 @@
 //     E(q) = 1/2 sum_Q l_Q (k_Q - n_Q)^T K (k_Q - n_Q) - rho S int g . (r - r_root) ds
 //
 // with natural curvatures n and K the diagonal of the stiffnesses [Bergbom07, Eq. 4.26
-// and 4.54]. All that is linear in g is kept apart, so that weight can be scaled.
+// and 4.52]. All that is linear in g is kept apart, so that weight can be scaled.
 
 #include <Eigen/Dense>
 #include <vector>
