@@ -4,6 +4,8 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 #include <half.h>
 #include <unistd.h>
@@ -159,6 +161,21 @@ ColourMap read_colour_map(const fs::path& path) {
             map.texels[i][c] = coded ? linear_of_srgb(value) : std::max(value, 0.0f);
         }
     return map;
+}
+
+bool draw_text(Image& image, int x, int y, const std::string& text, int size,
+               const Vec3f& colour) {
+    const OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeDesc::FLOAT);
+    OIIO::ImageBuf pixels(spec, image.rgba.data());
+    const float ink[] = {colour.x(), colour.y(), colour.z(), 1};
+    // The library's own choice first, then what most systems have.
+    for (const char* font : {"", "DejaVuSans", "LiberationSans-Regular", "FreeSans"}) {
+        if (OIIO::ImageBufAlgo::render_text(pixels, x, y, text, size, font, ink)) {
+            return true;
+        }
+        pixels.geterror();  // taken, so that it is not told later
+    }
+    return false;
 }
 
 float srgb_of_linear(float linear) {

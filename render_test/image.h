@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "guides/types.h"
@@ -39,6 +40,12 @@ void write_image(const std::filesystem::path& path, const Image& image,
 /// Reads any colour image as linear RGB: 8-bit and 16-bit integers are taken as sRGB,
 /// grey as equal RGB, negative values as zero. Throws InputError that names the path.
 ColourMap read_colour_map(const std::filesystem::path& path);
+
+/// Writes `text` onto the picture in an opaque linear colour, from (x, y) in pixels, y
+/// that of the base line; `size` is the letters' height in pixels. False, and nothing is
+/// written, where there is no font to do it with.
+bool draw_text(Image& image, int x, int y, const std::string& text, int size,
+               const Vec3f& colour);
 
 /// The sRGB code, 0..1, of a linear value; clamped.
 float srgb_of_linear(float linear);

@@ -71,5 +71,6 @@ void add_check(CLI::App& app, int& exit_code);
 void add_fit(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
+void add_rod(CLI::App& app, int& exit_code);
 
 }  // namespace lancret

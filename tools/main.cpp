@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
     add_fit(app, exit_code);
     add_simulate(app, exit_code);
     add_info(app, exit_code);
+    add_rod(app, exit_code);
     try {
         if (argc > 1) check_subcommand(app, argv[1]);
         app.parse(argc, argv);
