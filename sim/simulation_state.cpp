@@ -1,0 +1,213 @@
+#include "sim/simulation_state.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "guides/super_helix.h"
+#include "sim/gauss_legendre.h"
+#include "sim/sag_free.h"
+
+namespace lancret {
+
+namespace {
+
+/// The pose a share of the way from one to another, at constant velocity.
+HelixState<double> between(const HelixState<double>& a, const HelixState<double>& b,
+                           double share) {
+    const Vec3 turn = rotation_log<double>(b.frame * a.frame.transpose());
+    HelixState<double> out{helix_step<double>(turn, share).rotation * a.frame,
+                           a.position + share * (b.position - a.position)};
+    orthonormalize<double>(out.frame);
+    return out;
+}
+
+void check(bool fine, const char* what) {
+    if (!fine) throw std::invalid_argument(std::string("Simulation: ") + what);
+}
+
+}  // namespace
+
+Simulation::State::State(const Guides& rest, SimulationSettings s, SimulationScene sc,
+                         double at)
+    : settings(std::move(s)),
+      scene(std::move(sc)),
+      section(rod_section(settings.material, settings.dissipation, settings.damping)),
+      wind(make_wind(settings.wind)),
+      guides(rest),
+      workers([this] {
+          return SimulationWorker{
+              {}, RodContact(scene.colliders, settings.contact, settings.strand_contact),
+              {}, {},
+              {}, {}};
+      }) {
+    const ContactSettings& contact = settings.contact;
+    check(guides.size() > 0 && guides.segments > 0, "there are no guides");
+    check(scene.roots.size() == guides.size(), "as many roots as guides");
+    check(settings.substeps >= 1 && settings.substeps <= 1000, "1 to 1000 substeps");
+    check(settings.most_halvings >= 0 && settings.most_halvings <= 20,
+          "0 to 20 halvings");
+    check(settings.error_tolerance > 0, "an error tolerance above 0");
+    check(contact.stations >= 1 && contact.stations <= kMostGaussPoints,
+          "1 to 32 stations");
+    check(contact.stiffness > 0 && contact.regularization > 0 && contact.friction >= 0 &&
+              contact.thickness >= 0,
+          "contact is above 0");
+    check(settings.drag >= 0 && settings.gravity.allFinite(), "drag is 0 or more");
+    check(scene.frames_per_second > 0, "frames_per_second is above 0");
+    rates.assign(guides.curvatures.size(), Vec3::Zero());
+    pasts.resize(guides.size());
+    halvings.assign(guides.size(), 0);
+    anchors.resize(guides.size() * stations());
+    allowed.assign(anchors.size(), 0);
+    roots.resize(guides.size());
+    next_roots.resize(guides.size());
+    stand(at);
+    natural = settings.sag_free ? sag_free_natural(guides, section, settings.gravity)
+                                : guides.curvatures;
+    measure_groom();
+    initial = guides;
+    initial_frame = at;
+}
+
+void Simulation::State::move_roots(double to, std::vector<RootMotion>& out) const {
+    const ScalpTime time = scalp_at(scene.motion, to);
+    for (std::size_t g = 0; g < out.size(); ++g) {
+        out[g] = root_motion(time, scene.roots[g]);
+    }
+}
+
+/// Puts the roots and bodies where they are at a frame, and forgets all motion.
+void Simulation::State::stand(double at) {
+    frame = at;
+    move_roots(at, roots);
+    for (std::size_t g = 0; g < guides.size(); ++g) {
+        guides.root_positions[g] = roots[g].pose.position;
+        guides.root_frames[g] = roots[g].pose.frame;
+        pasts[g].size = 0;
+    }
+    if (scene.move_colliders) scene.move_colliders(at, scene.colliders);
+    std::ranges::fill(rates, Vec3::Zero());
+    std::ranges::fill(halvings, 0);
+    std::ranges::fill(anchors, ContactAnchor{});
+}
+
+/// How deep the groom itself lies in bodies: so far it is let alone.
+void Simulation::State::measure_groom() {
+    if (scene.colliders.size() == 0) return;
+    const double thickness = settings.contact.thickness;
+    const GaussRule rule = gauss_rule(settings.contact.stations);
+    tbb::parallel_for(std::size_t(0), guides.size(), [&](std::size_t g) {
+        std::vector<double> s;
+        double start = 0;
+        for (const double l : guides.lengths_of(g)) {
+            for (const double node : rule.nodes) s.push_back(start + node * l);
+            start += l;
+        }
+        sample(super_helix(guides, g), s, [&](std::size_t i, auto, const auto& state) {
+            const double distance =
+                scene.colliders.nearest(state.position, thickness).distance;
+            allowed[g * stations() + i] = std::max(0., thickness - distance);
+        });
+    });
+}
+
+void Simulation::State::advance_guide(std::size_t g, double eps, double time,
+                                      SimulationWorker& worker) {
+    const Rod rod = this->rod(g);
+    const std::span<Vec3> q = curvatures_of(g);
+    const std::span<Vec3> rate = std::span(rates).subspan(g * q.size(), q.size());
+    const std::size_t n = stations();
+    RodContact::Strand strand;
+    strand.lengths = rod.lengths;
+    strand.anchors = std::span(anchors).subspan(g * n, n);
+    strand.allowed = std::span(allowed).subspan(g * n, n);
+    if (strands_touch()) {
+        strand.places = neighbours.places(g);
+        strand.near = neighbours.near(g);
+        strand.near_counts = neighbours.counts(g);
+    }
+    const bool contact = scene.colliders.size() > 0 || strands_touch();
+    carry(scene.colliders, strand.anchors);
+    RodForces forces{settings.gravity, settings.drag, {}};
+    if (settings.wind.mean != Vec3::Zero() || !wind.waves.empty()) {
+        forces.wind = [this, time](const Vec3& x) {
+            return wind_velocity(wind, x, time);
+        };
+    }
+
+    // Parts of the substep are counted in the smallest that there may be.
+    const int most = settings.adaptive ? settings.most_halvings : 0;
+    const int parts = 1 << most;
+    int& level = halvings[g];
+    level = std::min(level, most);
+    RootMotion from = roots[g];
+    for (int done = 0; done < parts;) {
+        const int part = parts >> level;
+        const double step = eps / (1 << level);
+        const HelixState<double> to =
+            done + part == parts
+                ? next_roots[g].pose
+                : between(roots[g].pose, next_roots[g].pose, double(done + part) / parts);
+        worker.curvatures.assign(q.begin(), q.end());
+        worker.rates.assign(rate.begin(), rate.end());
+        worker.past = pasts[g];
+        if (contact) worker.contact.begin(strand, step);
+        const StepReport report =
+            worker.stepper.step(rod, forces, settings.step, from, to, step, q, rate,
+                                pasts[g], contact ? &worker.contact : nullptr);
+        const bool fine = report.solved && std::isfinite(report.local_error) &&
+                          report.local_error <= settings.error_tolerance;
+        if (!fine && level < most) {
+            std::ranges::copy(worker.curvatures, q.begin());
+            std::ranges::copy(worker.rates, rate.begin());
+            std::swap(worker.past, pasts[g]);
+            ++level;
+            continue;
+        }
+        ++worker.report.steps;
+        worker.report.iterations += std::size_t(report.iterations);
+        worker.report.unconverged += !report.converged;
+        if (report.solved) {
+            worker.report.largest_error =
+                std::max(worker.report.largest_error, report.local_error);
+            if (contact) {
+                worker.report.deepest = std::max(
+                    worker.report.deepest, worker.contact.end(worker.stepper.system()));
+            }
+        } else {
+            ++worker.report.unsolved;
+            std::ranges::fill(rate, Vec3::Zero());
+            pasts[g].size = 0;
+        }
+        done += part;
+        from.pose = to;
+        // The error goes with the square of the step: twice the step has four times it.
+        if (level > 0 && report.local_error < settings.error_tolerance / 8 &&
+            done % (2 * part) == 0) {
+            --level;
+        }
+    }
+    guides.root_positions[g] = next_roots[g].pose.position;
+    guides.root_frames[g] = next_roots[g].pose.frame;
+}
+
+void Simulation::State::substep(double from, double to) {
+    const double eps = (to - from) / scene.frames_per_second;
+    if (strands_touch()) {
+        neighbours.find(guides, pasts, settings.strand_contact.radius,
+                        settings.contact.stations, eps);
+    }
+    move_roots(to, next_roots);
+    if (scene.move_colliders) scene.move_colliders(to, scene.colliders);
+    tbb::parallel_for(std::size_t(0), guides.size(), [&](std::size_t g) {
+        advance_guide(g, eps, to / scene.frames_per_second, workers.local());
+    });
+    std::swap(roots, next_roots);
+    frame = to;
+}
+
+}  // namespace lancret
