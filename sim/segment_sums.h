@@ -1,6 +1,8 @@
 #pragma once
 // The integrals over a segment that the dynamics is made of, by Gauss quadrature.
 
+#include <cstddef>
+
 #include "guides/types.h"
 
 namespace lancret {
@@ -14,7 +16,7 @@ struct PointTargets {
 struct SegmentQuadrature {
     Vec3 darboux;       ///< k, 1/cm
     double length = 0;  ///< cm
-    int points = 0;     ///< of its Gauss rule, a multiple of Lanes::kCount
+    int points = 0;     ///< of its Gauss rule, a multiple of four
     Mat3 frame;         ///< at its start, in space
     Vec3 start;         ///< cm, in space
     PointTargets targets{};
@@ -35,9 +37,6 @@ struct SegmentSums {
 };
 
 SegmentSums segment_sums(const SegmentQuadrature& segment);
-
-/// w |e|^2 / 2 alone.
-double segment_half_square(const SegmentQuadrature& segment);
 
 /// Places of the points in space, cm, [3][points]: structure of arrays with the given
 /// stride between x, y and z.

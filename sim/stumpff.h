@@ -6,6 +6,9 @@
 // need no division either. T may be a number or a vector of numbers: + - * and
 // construction from a double are all that is asked of it.
 
+#include <array>
+#include <cstddef>
+
 namespace lancret {
 
 template <class T>
@@ -27,17 +30,26 @@ inline int stumpff_halvings(double largest_x) {
 
 namespace stumpff {
 
-/// c_m at x <= 1 by Horner's rule: the first term left out is below 2^-56 of the sum.
-template <int m, class T>
-T series(const T& x) {
-    constexpr int kTerms = 8;
-    T sum(1.0);
-    for (int n = kTerms; n > 0; --n) {
-        sum = T(1.0) - x * sum * T(1.0 / ((2 * n + m - 1) * (2 * n + m)));
-    }
+/// (-1)^n / (2n + m)!
+template <int m>
+inline constexpr auto kCoefficients = [] {
+    std::array<double, 8> out{};
     double factorial = 1;
     for (int i = 2; i <= m; ++i) factorial *= i;
-    return sum * T(1 / factorial);
+    for (int n = 0; n < 8; ++n) {
+        out[std::size_t(n)] = (n % 2 ? -1 : 1) / factorial;
+        factorial *= (2 * n + m + 1) * (2 * n + m + 2);
+    }
+    return out;
+}();
+
+/// c_m at x <= 1, m >= 4, by Horner's rule: the first term left out is below 2^-56 of the
+/// sum.
+template <int m, class T>
+T series(const T& x) {
+    T sum(kCoefficients<m>[7]);
+    for (int n = 6; n >= 0; --n) sum = sum * x + T(kCoefficients<m>[std::size_t(n)]);
+    return sum;
 }
 
 /// c1 to c5 from c4 and c5.
@@ -61,9 +73,10 @@ StumpffTail<T> doubled(const Stumpff<T>& c, const StumpffTail<T>& tail) {
             T(1. / 64) * (tail.c7 + tail.c6 + T(0.5) * c.c5 + c.c3 * c.c4)};
 }
 
-inline double power_of_quarter(int n) {
-    double out = 1;
-    for (; n > 0; --n) out /= 4;
+template <class T>
+T power_of_quarter(int n) {
+    T out(1.0);
+    for (; n > 0; --n) out = out * T(0.25);
     return out;
 }
 
@@ -72,7 +85,7 @@ inline double power_of_quarter(int n) {
 /// c1 to c5 at x >= 0, halved so often that the series serves (see stumpff_halvings).
 template <class T>
 Stumpff<T> stumpff_functions(const T& x, int halvings) {
-    T at = x * T(stumpff::power_of_quarter(halvings));
+    T at = x * stumpff::power_of_quarter<T>(halvings);
     Stumpff<T> c =
         stumpff::upwards<T>(at, stumpff::series<4, T>(at), stumpff::series<5, T>(at));
     for (int i = 0; i < halvings; ++i) {
@@ -85,7 +98,7 @@ Stumpff<T> stumpff_functions(const T& x, int halvings) {
 /// The same with c6 and c7.
 template <class T>
 Stumpff<T> stumpff_functions(const T& x, int halvings, StumpffTail<T>& tail) {
-    T at = x * T(stumpff::power_of_quarter(halvings));
+    T at = x * stumpff::power_of_quarter<T>(halvings);
     tail = {stumpff::series<6, T>(at), stumpff::series<7, T>(at)};
     Stumpff<T> c =
         stumpff::upwards<T>(at, T(1. / 24) - at * tail.c6, T(1. / 120) - at * tail.c7);
