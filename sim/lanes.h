@@ -2,7 +2,7 @@
 // Four numbers side by side, for loops over quadrature points. Sums over lanes have one
 // order, so every machine gets the same bits whatever the width of its registers.
 //
-// Code that uses them is compiled once for each width (segment_sums_*.cpp). Every width
+// Code that uses them is compiled once for each width (segment_loops_*.cpp). Every width
 // has its own namespace, so that a template made for one is never taken for the other.
 
 #ifndef LANCRET_SIMD
@@ -28,6 +28,8 @@ struct Lanes {
         std::memcpy(&out.v, from, sizeof(Vector));
         return out;
     }
+    /// The first three; the fourth is what lies behind.
+    void store3(double* to) const { std::memcpy(to, &v, 3 * sizeof(double)); }
     void store(double* to) const { std::memcpy(to, &v, sizeof(Vector)); }
     double sum() const { return (v[0] + v[2]) + (v[1] + v[3]); }
 

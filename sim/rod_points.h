@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/rod.h"
-#include "sim/segment_sums.h"
+#include "sim/segment_quadrature.h"
 
 namespace lancret {
 

@@ -15,42 +15,34 @@ Mat3 crossed(const Vec3& a, const Mat3& m) {
     return out;
 }
 
-/// The lower Cholesky factor of a symmetric, positive definite matrix.
-Mat3 cholesky(const Mat3& m) {
-    Mat3 l = Mat3::Zero();
-    l(0, 0) = std::sqrt(m(0, 0));
-    l(1, 0) = m(1, 0) / l(0, 0);
-    l(2, 0) = m(2, 0) / l(0, 0);
-    l(1, 1) = std::sqrt(m(1, 1) - l(1, 0) * l(1, 0));
-    l(2, 1) = (m(2, 1) - l(2, 0) * l(1, 0)) / l(1, 1);
-    l(2, 2) = std::sqrt(m(2, 2) - l(2, 0) * l(2, 0) - l(2, 1) * l(2, 1));
-    return l;
-}
+/// Blocks as matrices.
+template <class Blocks, class Matrix, class Vector>
+struct BlocksView {
+    using MatrixMap = Eigen::Map<Matrix>;
+    using VectorMap = Eigen::Map<Vector>;
 
-/// u l^-T.
-Mat3 right_solve(const Mat3& u, const Mat3& l) {
-    Mat3 w;
-    w.col(0) = u.col(0) / l(0, 0);
-    w.col(1) = (u.col(1) - w.col(0) * l(1, 0)) / l(1, 1);
-    w.col(2) = (u.col(2) - w.col(0) * l(2, 0) - w.col(1) * l(2, 1)) / l(2, 2);
-    return w;
-}
+    explicit BlocksView(Blocks& b)
+        : darboux(b.darboux),
+          start(b.start),
+          offset(b.offset),
+          load(b.load),
+          moment_load(b.moment_load),
+          force_load(b.force_load),
+          frame(b.frame),
+          turn(b.turn),
+          move(b.move),
+          gram(b.gram),
+          moment(b.moment),
+          force(b.force),
+          aa(b.aa),
+          al(b.al),
+          ll(b.ll) {}
 
-Vec3 forward_solve(const Mat3& l, const Vec3& b) {
-    Vec3 z;
-    z[0] = b[0] / l(0, 0);
-    z[1] = (b[1] - l(1, 0) * z[0]) / l(1, 1);
-    z[2] = (b[2] - l(2, 0) * z[0] - l(2, 1) * z[1]) / l(2, 2);
-    return z;
-}
-
-Vec3 backward_solve(const Mat3& l, const Vec3& z) {
-    Vec3 x;
-    x[2] = z[2] / l(2, 2);
-    x[1] = (z[1] - l(2, 1) * x[2]) / l(1, 1);
-    x[0] = (z[0] - l(1, 0) * x[1] - l(2, 0) * x[2]) / l(0, 0);
-    return x;
-}
+    VectorMap darboux, start, offset, load, moment_load, force_load;
+    MatrixMap frame, turn, move, gram, moment, force, aa, al, ll;
+};
+using View = BlocksView<RodBlocks, Mat3, Vec3>;
+using ConstView = BlocksView<const RodBlocks, const Mat3, const Vec3>;
 
 /// What follows a joint, seen as a body that is held there.
 struct Composite {
@@ -79,38 +71,26 @@ void RodSystem::linearize(const HelixState<double>& root, std::span<const double
     quadrature.frame = root.frame;
     quadrature.start = root.position;
     for (int q = 0; q < segments(); ++q) {
-        Segment& s = segments_[q];
-        s.darboux = quadrature.darboux = curvatures[q];
-        s.length = quadrature.length = lengths[q];
-        s.frame = quadrature.frame;
-        s.start = quadrature.start;
+        RodBlocks& s = segments_[std::size_t(q)];
+        quadrature.darboux = curvatures[std::size_t(q)];
+        quadrature.length = lengths[std::size_t(q)];
         quadrature.points = layout.points(q);
         quadrature.targets = targets.targets(layout.first(q));
-        const SegmentSums sums = segment_sums(quadrature);
-        const double w = weight * s.length;
-        s.gram = w * sums.gram;
-        s.moment = w * (s.frame * sums.turned_jacobian);
-        s.force = w * (s.frame * sums.jacobian);
-        s.aa = -w * (s.frame * sums.second * s.frame.transpose());
-        s.aa.diagonal().array() += w * sums.second.trace();
-        s.al = hat<double>(w * (s.frame * sums.first));
-        s.ll = w * Mat3::Identity();
-        s.load = w * sums.load;
-        s.moment_load = w * (s.frame * sums.moment);
-        s.force_load = w * (s.frame * sums.force);
-        half_square_ += w * sums.half_square;
+        half_square_ += segment_blocks(quadrature, weight * quadrature.length, s);
 
-        const SegmentEnd end = segment_end(s.darboux, s.length);
-        s.offset = s.frame * end.place;
-        s.turn = s.frame * end.angular;
-        s.move = s.frame * end.jacobian;
-        quadrature.start += s.offset;
-        quadrature.frame = s.frame * end.rotation;
+        const SegmentEnd end = segment_end(quadrature.darboux, quadrature.length);
+        Vec3::Map(s.darboux) = quadrature.darboux;
+        s.length = quadrature.length;
+        Vec3::Map(s.offset) = quadrature.frame * end.place;
+        Mat3::Map(s.turn) = quadrature.frame * end.angular;
+        Mat3::Map(s.move) = quadrature.frame * end.jacobian;
+        quadrature.start += Vec3::Map(s.offset);
+        quadrature.frame = (quadrature.frame * end.rotation).eval();
     }
 }
 
 RodSystem::Point RodSystem::point(int segment, double u) const {
-    const Segment& s = segments_[segment];
+    const ConstView s(segments_[std::size_t(segment)]);
     const int halvings = stumpff_halvings(u * u * s.darboux.squaredNorm());
     const auto [p, j] = segment_point<double>(s.darboux.data(), u, halvings);
     const Mat3 local =
@@ -119,7 +99,7 @@ RodSystem::Point RodSystem::point(int segment, double u) const {
 }
 
 void RodSystem::add(const Point& point, const Mat3& stiffness, const Vec3& force) {
-    Segment& s = segments_[point.segment];
+    View s(segments_[std::size_t(point.segment)]);
     const Vec3 r = point.place - s.start;
     const Mat3 pulled = stiffness * point.jacobian, turned = crossed(r, stiffness);
     s.gram += point.jacobian.transpose() * pulled;
@@ -136,8 +116,9 @@ void RodSystem::add(const Point& point, const Mat3& stiffness, const Vec3& force
 void RodSystem::forces(std::span<Vec3> f) const {
     Vec3 moment = Vec3::Zero(), force = Vec3::Zero();
     for (int q = segments(); q-- > 0;) {
-        const Segment& s = segments_[q];
-        f[q] = s.load + s.turn.transpose() * moment + s.move.transpose() * force;
+        const ConstView s(segments_[std::size_t(q)]);
+        f[std::size_t(q)] =
+            s.load + s.turn.transpose() * moment + s.move.transpose() * force;
         moment += s.offset.cross(force) + s.moment_load;
         force += s.force_load;
     }
@@ -145,36 +126,8 @@ void RodSystem::forces(std::span<Vec3> f) const {
 
 void RodSystem::solve(std::span<const Vec3> diagonal, std::span<const Vec3> load,
                       std::span<Vec3> x) {
-    Composite beyond;
-    for (int q = segments(); q-- > 0;) {
-        Segment& s = segments_[q];
-        const Mat3 angular = beyond.aa * s.turn + beyond.al * s.move;
-        const Mat3 linear = beyond.al.transpose() * s.turn + beyond.ll * s.move;
-        Mat3 schur = s.gram + s.turn.transpose() * angular + s.move.transpose() * linear;
-        schur.diagonal() += diagonal[q];
-        const Vec3 y = s.load + load[q] + s.turn.transpose() * beyond.moment +
-                       s.move.transpose() * beyond.force;
-        s.factor = cholesky(schur);
-        s.wl = right_solve(s.force + linear, s.factor);
-        s.wa = right_solve(s.moment + angular + crossed(s.offset, linear), s.factor);
-        s.z = forward_solve(s.factor, y);
-        beyond.shift(s.offset);
-        // Subtracting a product with its own transpose keeps the inertia symmetric; an
-        // asymmetry would grow along the strand.
-        beyond.aa += s.aa - s.wa * s.wa.transpose();
-        beyond.al += s.al - s.wa * s.wl.transpose();
-        beyond.ll += s.ll - s.wl * s.wl.transpose();
-        beyond.moment += s.moment_load - s.wa * s.z;
-        beyond.force += s.force_load - s.wl * s.z;
-    }
-    Vec3 angular = Vec3::Zero(), linear = Vec3::Zero();
-    for (int q = 0; q < segments(); ++q) {
-        const Segment& s = segments_[q];
-        const Vec3 z = s.z - s.wa.transpose() * angular - s.wl.transpose() * linear;
-        x[q] = backward_solve(s.factor, z);
-        linear += angular.cross(s.offset) + s.move * x[q];
-        angular += s.turn * x[q];
-    }
+    solve_recursion(segments_, diagonal.front().data(), load.front().data(),
+                    x.front().data());
 }
 
 void RodSystem::assemble(std::span<const Vec3> diagonal, std::span<const Vec3> load,
@@ -184,7 +137,7 @@ void RodSystem::assemble(std::span<const Vec3> diagonal, std::span<const Vec3> l
     force.resize(3 * n);
     Composite beyond;
     for (int q = n; q-- > 0;) {
-        const Segment& s = segments_[q];
+        const ConstView s(segments_[std::size_t(q)]);
         Mat3 angular = beyond.aa * s.turn + beyond.al * s.move;
         Mat3 linear = beyond.al.transpose() * s.turn + beyond.ll * s.move;
         const Mat3 own =
@@ -198,7 +151,7 @@ void RodSystem::assemble(std::span<const Vec3> diagonal, std::span<const Vec3> l
         // What dk of this segment costs in wrench at the start of it, carried towards the
         // root, meets the motion that every earlier segment gives to that place.
         for (int p = q; p-- > 0;) {
-            const Segment& earlier = segments_[p];
+            const ConstView earlier(segments_[std::size_t(p)]);
             matrix.block<3, 3>(3 * p, 3 * q) =
                 earlier.turn.transpose() * angular + earlier.move.transpose() * linear;
             matrix.block<3, 3>(3 * q, 3 * p) =

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/rod.h"
+#include "sim/rod_blocks.h"
 #include "sim/rod_points.h"
 
 namespace lancret {
@@ -28,7 +29,8 @@ class RodSystem {
     int segments() const { return int(segments_.size()); }
     /// Frame and place at the start of a segment, in space.
     HelixState<double> start(int segment) const {
-        return {segments_[segment].frame, segments_[segment].start};
+        const RodBlocks& s = segments_[std::size_t(segment)];
+        return {Mat3::Map(s.frame), Vec3::Map(s.start)};
     }
 
     /// A point of the rod and how it answers to the curvatures of its own segment.
@@ -59,23 +61,7 @@ class RodSystem {
                   Eigen::MatrixXd& matrix, Eigen::VectorXd& force) const;
 
   private:
-    struct Segment {
-        Vec3 darboux;
-        double length;
-        Mat3 frame;          ///< in space
-        Vec3 start, offset;  ///< of its start; from its start to its end
-        Mat3 turn, move;     ///< what dk does to its end: F V, F J
-        Mat3 gram;           ///< w J^T J
-        Mat3 moment, force;  ///< w R x J, w J in space
-        Mat3 aa, al, ll;     ///< inertia: angular-angular, angular-linear, linear
-        Vec3 load;           ///< w J^T e
-        Vec3 moment_load, force_load;
-        Mat3 factor;  ///< Cholesky factor of the Schur complement
-        Mat3 wa, wl;  ///< U factor^-T
-        Vec3 z;
-    };
-
-    std::vector<Segment> segments_;
+    std::vector<RodBlocks> segments_;
     double half_square_ = 0;
 };
 

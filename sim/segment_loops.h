@@ -3,7 +3,8 @@
 // only: nothing here may be an inline function that other code shares, lest the linker
 // take the wide one for a machine that has no such registers.
 
-#include "sim/segment_sums.h"
+#include "sim/rod_blocks.h"
+#include "sim/segment_quadrature.h"
 
 namespace lancret {
 
@@ -45,6 +46,12 @@ struct StartMotion {
 
 struct SegmentLoops {
     void (*sums)(const SegmentLoop&, double* sums);
+    /// Inertia and loads of a segment in space, from its sums and its frame.
+    void (*to_space)(const double* sums, double weight, RodBlocks&);
+    /// The recursion from tip to root and back; `diagonal`, `load` and `x` are
+    /// [segments][3].
+    void (*solve)(RodBlocks*, int segments, const double* diagonal, const double* load,
+                  double* x);
     void (*places)(const SegmentLoop&, const RateVectors&, double* out,
                    std::size_t stride);
     void (*velocities)(const SegmentLoop&, const RateVectors&, const StartMotion&,

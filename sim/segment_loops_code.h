@@ -7,6 +7,8 @@
 #include "sim/lanes.h"
 #include "sim/segment_kernel.h"
 #include "sim/segment_loops.h"
+// After the sums that it knows.
+#include "sim/rod_recursion_code.h"
 
 namespace lancret::LANCRET_SIMD {
 
@@ -174,7 +176,7 @@ void bias(const SegmentLoop& segment, const RateVectors& rates, const StartMotio
     }
 }
 
-constexpr SegmentLoops kLoops = {sums, places, velocities, bias};
+constexpr SegmentLoops kLoops = {sums, to_space, solve, places, velocities, bias};
 
 }  // namespace
 

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <random>
+#include <vector>
 
+#include "guides/helix.h"
 #include "sim/gauss_legendre.h"
 #include "sim/stumpff.h"
 
@@ -27,6 +31,7 @@ TEST(SegmentLoops, WideRegistersGiveTheSameBits) {
         double k[3], frame[9], start[3], targets[3][32], motion[4][3];
         fill(k, frame, start, targets[0], targets[1], targets[2]);
         fill(motion[0], motion[1], motion[2], motion[3]);
+        Mat3::Map(frame) = helix_step<double>(Vec3::Map(k), 3).rotation;
         const GaussRule rule = gauss_rule(points);
         const SegmentLoop loop{k,
                                frame,
@@ -52,6 +57,25 @@ TEST(SegmentLoops, WideRegistersGiveTheSameBits) {
                 loops.bias(at, r, m, bias, 32);
             }
         };
+        // A chain of such segments, whose inertia is positive definite as it must be.
+        const auto solution = [&](const SegmentLoops& loops) {
+            std::vector<RodBlocks> rod(5);
+            std::vector<double> x(15), diagonal(15, 2.), load(15, 0.1);
+            double sums[kSegmentSums + 1] = {};
+            loops.sums(loop, sums);
+            for (RodBlocks& s : rod) {
+                s = {};
+                std::copy_n(frame, 9, s.frame);
+                std::copy_n(motion[0], 3, s.offset);
+                std::copy_n(frame, 9, s.turn);
+                loops.to_space(sums, 0.3, s);
+            }
+            loops.solve(rod.data(), 5, diagonal.data(), load.data(), x.data());
+            return x;
+        };
+        const auto one = solution(kPlainLoops);
+        EXPECT_TRUE(std::isfinite(one[0]));
+        EXPECT_EQ(one, solution(kWideLoops));
         Results plain{}, wide{};
         plain.of(kPlainLoops, loop, rates, from);
         wide.of(kWideLoops, loop, rates, from);

@@ -1,4 +1,4 @@
-#include "sim/segment_sums.h"
+#include "sim/segment_quadrature.h"
 
 #include "sim/gauss_legendre.h"
 #include "sim/segment_loops.h"
@@ -40,31 +40,21 @@ RateVectors rate_vectors(const Vec3& k, const Vec3& rate) {
     return out;
 }
 
-/// A symmetric matrix from its lower half, row by row.
-Mat3 symmetric(const double* half) {
-    Mat3 out;
-    for (int c = 0, n = 0; c < 3; ++c) {
-        for (int d = 0; d <= c; ++d, ++n) out(c, d) = out(d, c) = half[n];
-    }
-    return out;
-}
-
 }  // namespace
 
-SegmentSums segment_sums(const SegmentQuadrature& segment) {
-    double sums[kSegmentSums];
+double segment_blocks(const SegmentQuadrature& segment, double weight,
+                      RodBlocks& blocks) {
+    double sums[kSegmentSums + 1];  // room for a load of four numbers from the end
     loops().sums(loop_of(segment), sums);
-    SegmentSums out;
-    out.gram = symmetric(sums + kGramSum);
-    out.second = symmetric(sums + kSecondSum);
-    out.turned_jacobian = Mat3::Map(sums + kTurnedSum);
-    out.jacobian = Mat3::Map(sums + kJacobianSum);
-    out.first = Vec3::Map(sums + kFirstSum);
-    out.load = Vec3::Map(sums + kLoadSum);
-    out.moment = Vec3::Map(sums + kMomentSum);
-    out.force = Vec3::Map(sums + kForceSum);
-    out.half_square = sums[kSquareSum] / 2;
-    return out;
+    Mat3::Map(blocks.frame) = segment.frame;
+    Vec3::Map(blocks.start) = segment.start;
+    loops().to_space(sums, weight, blocks);
+    return weight * sums[kSquareSum] / 2;
+}
+
+void solve_recursion(std::span<RodBlocks> segments, const double* diagonal,
+                     const double* load, double* x) {
+    loops().solve(segments.data(), int(segments.size()), diagonal, load, x);
 }
 
 void segment_places(const SegmentQuadrature& segment, double* places,

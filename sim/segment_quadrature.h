@@ -2,8 +2,10 @@
 // The integrals over a segment that the dynamics is made of, by Gauss quadrature.
 
 #include <cstddef>
+#include <span>
 
 #include "guides/types.h"
+#include "sim/rod_blocks.h"
 
 namespace lancret {
 
@@ -22,21 +24,14 @@ struct SegmentQuadrature {
     PointTargets targets{};
 };
 
-/// Sums over the points of a segment with Gauss weights w (sum 1): p the place of a point
-/// from the segment's start, J = dp/dk, e = target - place. All in the segment's frame.
-struct SegmentSums {
-    Mat3 gram;             ///< w J^T J, cm^4
-    Mat3 turned_jacobian;  ///< w p x J (by columns), cm^3
-    Mat3 jacobian;         ///< w J, cm^2
-    Mat3 second;           ///< w p p^T, cm^2
-    Vec3 first;            ///< w p, cm
-    Vec3 load;             ///< w J^T e, cm^3
-    Vec3 moment;           ///< w p x e, cm^2
-    Vec3 force;            ///< w e, cm
-    double half_square;    ///< w |e|^2 / 2, cm^2
-};
+/// The integrals over a segment as blocks in space, without darboux, length and what the
+/// segment does to its end. `weight` is that of the whole segment. Gives
+/// weight |target - place|^2 / 2, averaged over the segment.
+double segment_blocks(const SegmentQuadrature& segment, double weight, RodBlocks& blocks);
 
-SegmentSums segment_sums(const SegmentQuadrature& segment);
+/// The recursion of RodSystem::solve; `diagonal`, `load` and `x` are [segments][3].
+void solve_recursion(std::span<RodBlocks> segments, const double* diagonal,
+                     const double* load, double* x);
 
 /// Places of the points in space, cm, [3][points]: structure of arrays with the given
 /// stride between x, y and z.
