@@ -164,6 +164,11 @@ SurfaceSample Colliders::nearest(const Vec3& x, double within) const {
     return best;
 }
 
+std::size_t Colliders::triangles(int index) const {
+    const auto* mesh = std::get_if<MeshBody>(&bodies_[std::size_t(index)].shape);
+    return mesh ? mesh->mesh.triangles.size() : 0;
+}
+
 Vec3 Colliders::carried(const SurfaceSample& sample, const Vec3& x) const {
     const Body& body = bodies_[std::size_t(sample.collider)];
     Vec3 place = inverse_image(body.previous, x);

@@ -40,6 +40,8 @@ class Colliders {
     /// mesh does not ask.
     int add(const TriangleMesh& mesh, const RigidPose& pose = {}, double depth = 1);
     int size() const { return int(bodies_.size()); }
+    /// Of body `index`; 0 of a capsule.
+    std::size_t triangles(int index) const;
 
     /// Gives body `index` its place at the new time; what was current becomes the
     /// previous. Once a step for each: a body that is not moved goes on as in the step

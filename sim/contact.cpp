@@ -9,10 +9,6 @@ namespace lancret {
 
 namespace {
 
-/// A station further than this from all bodies, beyond the thickness, is not asked for
-/// again before it has moved as far, cm.
-constexpr double kReach = 1;
-
 /// The pull of a spring to an anchor, held by Coulomb's friction: Huber's function of the
 /// slide.
 struct Friction {
@@ -57,7 +53,7 @@ SurfaceSample RodContact::sample(std::size_t station, const Vec3& place) {
         (place - clear.place).squaredNorm() < clear.clearance * clear.clearance) {
         return {};
     }
-    const double reach = settings_.thickness + kReach;
+    const double reach = contact_reach(settings_);
     const SurfaceSample found = colliders_.nearest(place, reach);
     clear = {place, std::min(found.distance, reach) - settings_.thickness};
     return found;
@@ -87,9 +83,14 @@ double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& poin
             force -= w * pull * normal;
             const double bend = depth / (reach * reach) * 2 * M_PI * std::sin(turn);
             stiffness += w * std::max(bend, 0.) * normal * normal.transpose();
+        } else if (strands_.cohesion > 0 && distance >= 2 * reach) {
+            energy += w * strands_.cohesion * reach / (2 * M_PI);  // out of the well
         }
-        // Viscous friction against the other strand's own motion, fading with distance.
-        const double near = std::clamp(2 - distance / reach, 0., 1.);
+        // Viscous friction against the other strand's own motion, fading with their
+        // distance at the step's begin: within the step it is a constant of the energy.
+        const double begun =
+            (strand_.places[station] - (other.place - other.move)).norm();
+        const double near = std::clamp(2 - begun / reach, 0., 1.);
         const Vec3 t = other.tangent;
         const Mat3 drag =
             near * w / eps_ *

@@ -25,6 +25,12 @@ struct ContactSettings {
     int stations = 4;              ///< a segment
 };
 
+/// How far off bodies are looked for, cm. A station further from all than this is not
+/// asked for again before it has moved by what it has beyond the thickness.
+inline double contact_reach(const ContactSettings& settings) {
+    return settings.thickness + 1;
+}
+
 /// The penalty of a depth (cm; 0 or less: none), for each cm of strand.
 struct Penalty {
     double energy, force, stiffness;  ///< erg/cm, dyn/cm, dyn/cm^2

@@ -1,5 +1,6 @@
 #include "sim/restart_arrays.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -81,12 +82,14 @@ void read(ArrayReader& from, int segments, RodPast& past) {
     }
 }
 
-void read(ArrayReader& from, int colliders, ContactAnchor& anchor) {
+void read(ArrayReader& from, const Colliders& colliders, ContactAnchor& anchor) {
     anchor = {};
     SurfaceSample& body = anchor.body;
     body.distance = from.number();
-    body.collider = from.whole(-1, colliders - 1);
-    body.triangle = std::uint32_t(from.whole(0, 0x7fffffff));
+    body.collider = from.whole(-1, colliders.size() - 1);
+    const std::size_t triangles =
+        body.collider < 0 ? 0 : colliders.triangles(body.collider);
+    body.triangle = std::uint32_t(from.whole(0, std::max(int(triangles), 1) - 1));
     anchor.pressure = from.number();
     body.normal = from.vector();
     body.point = from.vector();

@@ -30,6 +30,7 @@ class ArrayReader {
 };
 
 void read(ArrayReader& from, int segments, RodPast& past);
-void read(ArrayReader& from, int colliders, ContactAnchor& anchor);
+/// An anchor on one of `colliders`.
+void read(ArrayReader& from, const Colliders& colliders, ContactAnchor& anchor);
 
 }  // namespace lancret

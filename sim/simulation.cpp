@@ -98,8 +98,11 @@ void Simulation::resume(double frame, const Guides& guides, const RestartArrays&
     for (Vec3& k : s.rates) k = rates.vector();
     for (int& level : s.halvings) level = halvings.whole(0, 20);
     for (RodPast& p : s.pasts) read(past, s.guides.segments, p);
-    for (ContactAnchor& a : s.anchors) read(anchors, s.scene.colliders.size(), a);
-    for (double& depth : s.allowed) depth = allowed.number();
+    for (ContactAnchor& a : s.anchors) read(anchors, s.scene.colliders, a);
+    for (double& depth : s.allowed) {
+        depth = allowed.number();
+        check(depth >= 0, "resumes with depths of 0 or more");
+    }
     for (const ArrayReader* reader :
          {&natural, &rates, &past, &halvings, &anchors, &allowed}) {
         check(reader->done(), "resumes with arrays that are as long as its own");

@@ -29,6 +29,43 @@ void check(bool fine, const char* what) {
     if (!fine) throw std::invalid_argument(std::string("Simulation: ") + what);
 }
 
+/// Written so that what is not finite fails too.
+bool within(double x, double low, double high = 1e15) { return x >= low && x <= high; }
+
+void check(const SimulationSettings& s) {
+    check(within(s.gravity.cwiseAbs().maxCoeff(), 0) && s.gravity.allFinite(),
+          "gravity is finite");
+    check(within(s.drag, 0), "drag is 0 or more");
+    check(s.substeps >= 1 && s.substeps <= 1000, "1 to 1000 substeps");
+    check(s.most_halvings >= 0 && s.most_halvings <= 20, "0 to 20 halvings");
+    check(s.error_tolerance > 0, "an error tolerance above 0");
+    check(s.step.tolerance > 0 && s.step.most_iterations >= 1,
+          "a step iterates, to a tolerance above 0");
+    const ContactSettings& c = s.contact;
+    check(c.stations >= 1 && c.stations <= kMostGaussPoints, "1 to 32 stations");
+    check(within(c.stiffness, 1e-15) && within(c.regularization, 1e-15) &&
+              within(c.friction, 0) && within(c.thickness, 0) && within(c.free_root, 0),
+          "contact is finite, its stiffness and regularisation above 0, the rest not "
+          "below");
+    const StrandContactSettings& h = s.strand_contact;
+    for (const double x :
+         {h.radius, h.stiffness, h.friction_across, h.friction_along, h.cohesion}) {
+        check(within(x, 0), "contact of strands is finite and not below 0");
+    }
+}
+
+void check(const Guides& rest) {
+    check(rest.size() > 0 && rest.segments > 0, "there are no guides");
+    const std::size_t all = rest.size() * std::size_t(rest.segments);
+    check(rest.root_frames.size() == rest.size() && rest.segment_lengths.size() == all &&
+              rest.curvatures.size() == all,
+          "guides have a frame each, and lengths and curvatures for each segment");
+    for (const double l : rest.segment_lengths) {
+        check(within(l, 1e-15), "segments are longer than 0");
+    }
+    for (const Vec3& k : rest.curvatures) check(k.allFinite(), "curvatures are finite");
+}
+
 }  // namespace
 
 Simulation::State::State(const Guides& rest, SimulationSettings s, SimulationScene sc,
@@ -44,20 +81,11 @@ Simulation::State::State(const Guides& rest, SimulationSettings s, SimulationSce
               {}, {},
               {}, {}};
       }) {
-    const ContactSettings& contact = settings.contact;
-    check(guides.size() > 0 && guides.segments > 0, "there are no guides");
+    check(guides);
+    check(settings);
     check(scene.roots.size() == guides.size(), "as many roots as guides");
-    check(settings.substeps >= 1 && settings.substeps <= 1000, "1 to 1000 substeps");
-    check(settings.most_halvings >= 0 && settings.most_halvings <= 20,
-          "0 to 20 halvings");
-    check(settings.error_tolerance > 0, "an error tolerance above 0");
-    check(contact.stations >= 1 && contact.stations <= kMostGaussPoints,
-          "1 to 32 stations");
-    check(contact.stiffness > 0 && contact.regularization > 0 && contact.friction >= 0 &&
-              contact.thickness >= 0,
-          "contact is above 0");
-    check(settings.drag >= 0 && settings.gravity.allFinite(), "drag is 0 or more");
-    check(scene.frames_per_second > 0, "frames_per_second is above 0");
+    check(within(scene.frames_per_second, 1e-6), "frames_per_second is above 0");
+    check(within(std::abs(at), 0, 1e9), "a frame within 1e9");
     rates.assign(guides.curvatures.size(), Vec3::Zero());
     pasts.resize(guides.size());
     halvings.assign(guides.size(), 0);
@@ -109,7 +137,8 @@ void Simulation::State::measure_groom() {
         }
         sample(super_helix(guides, g), s, [&](std::size_t i, auto, const auto& state) {
             const double distance =
-                scene.colliders.nearest(state.position, thickness).distance;
+                scene.colliders.nearest(state.position, contact_reach(settings.contact))
+                    .distance;
             allowed[g * stations() + i] = std::max(0., thickness - distance);
         });
     });

@@ -164,6 +164,10 @@ DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene) {
     out.motion.files.centimetres_per_unit = scene.centimetres_per_unit();
     for (const TomlTable& table : toml.tables("colliders")) {
         out.colliders.push_back(read_collider(table));
+        if (out.colliders.back().with_head && !out.motion.files.pattern.empty()) {
+            table.fail("with_head",
+                       "nothing can move with a head that deforms; give it keys");
+        }
     }
     return out;
 }
@@ -207,10 +211,6 @@ SimulationScene simulation_scene(const DynamicsSettings& settings,
                               : out.colliders.add(read_body(
                                     std::get<std::filesystem::path>(collider.shape),
                                     scene.centimetres_per_unit()));
-        if (collider.with_head && deforms) {
-            throw InputError(
-                "colliders: none can move with a head that deforms; give it keys");
-        }
         std::shared_ptr<const ScalpMotion> motion;
         if (collider.with_head) motion = head;
         if (!collider.motion.keys.empty()) {

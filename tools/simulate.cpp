@@ -7,6 +7,7 @@
 #include "guides/errors.h"
 #include "guides/frame_store.h"
 #include "guides/hash.h"
+#include "guides/obj_file.h"
 #include "tools/command.h"
 #include "tools/frames.h"
 #include "tools/progress.h"
@@ -40,6 +41,11 @@ class Fingerprint {
             add_word(word);
         }
     }
+    void add(const TriangleMesh& mesh) {
+        if (mesh.triangles.empty()) return;
+        add(std::span(mesh.positions.front().data(), 3 * mesh.positions.size()));
+        add(std::span(mesh.triangles.front().data(), 3 * mesh.triangles.size()));
+    }
     std::uint64_t value() const { return value_; }
 
   private:
@@ -56,9 +62,12 @@ std::string job_text(const SimulateOptions& options, const Job& job,
     for (const auto* vectors : {&guides.root_positions, &guides.curvatures}) {
         print.add(std::span(vectors->front().data(), 3 * vectors->size()));
     }
-    if (source.scalp) {
-        const auto& places = source.scalp->mesh.positions;
-        print.add(std::span(places.front().data(), 3 * places.size()));
+    print.add(std::span(guides.root_frames.front().data(), 9 * guides.size()));
+    if (source.scalp) print.add(source.scalp->mesh);
+    if (source.body) print.add(*source.body);
+    for (const ColliderSettings& collider : job.dynamics.colliders) {
+        const auto* file = std::get_if<std::filesystem::path>(&collider.shape);
+        if (file) print.add(read_obj(*file));
     }
     print.add(std::span<const char>(job.settings_text));
     return fmt::format("{}, from frame {} at {} fps, {} substeps, contents {:016x}",

@@ -3,12 +3,15 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/guides/temporary_folder.h"
@@ -22,8 +25,10 @@ struct CommandRun {
     std::string out, err;
 };
 
-/// Runs `words`, the first of them a program, to its end.
-inline CommandRun run_words(const std::vector<std::string>& words) {
+/// Runs `words`, the first of them a program, to its end; or, where `kill_after` is not
+/// zero, until it is killed that much later.
+inline CommandRun run_words(const std::vector<std::string>& words,
+                            std::chrono::microseconds kill_after = {}) {
     const TemporaryFolder captured;
     const std::string out = (captured / "out").string();
     const std::string err = (captured / "err").string();
@@ -43,6 +48,10 @@ inline CommandRun run_words(const std::vector<std::string>& words) {
         posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&files);
     if (failed != 0) return run;
+    if (kill_after.count() > 0) {
+        std::this_thread::sleep_for(kill_after);
+        kill(child, SIGKILL);
+    }
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
