@@ -125,7 +125,9 @@ void RodStepper::aim(const Rod& rod, const RodForces& forces, double h) {
     }
     if (air == 0 || !forces.wind) return;
     for (int i = 0; i < layout_.size(); ++i) {
-        targets_.set(i, targets_.get(i) + b * h * forces.wind(now_.places.get(i)));
+        // Where inertia takes the point: of second order, as BDF2 asks.
+        const Vec3 place = now_.places.get(i) + h * now_.velocities.get(i);
+        targets_.set(i, targets_.get(i) + b * h * forces.wind(place));
     }
 }
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
 
 #include "guides/errors.h"
 #include "sim/rod_modes.h"
 #include "tools/command.h"
+#include "tools/progress.h"
 #include "tools/rod_plot.h"
 #include "tools/rod_report.h"
 #include "tools/stats.h"
@@ -21,6 +23,8 @@ struct RodOptions {
     std::vector<double> natural = {0, 0, 0}, tangent = {1, 0, 0}, normal;
     bool statics = false, buckling = false;
     int modes = 0;
+    std::optional<double> release, step;
+    Integrator integrator = Integrator::bdf2;
     std::string json, picture;
 };
 
@@ -28,6 +32,20 @@ struct RodOptions {
 void check_rod_outputs(const RodOptions& options) {
     check_output(options.json, {}, {}, {}, options.picture);
     check_output(options.picture, {".png", ".exr"}, {}, {}, options.json);
+}
+
+RodRelease release_of(const RodOptions& options, const HangingRod& rod) {
+    ReleaseSettings settings;
+    settings.duration = *options.release;
+    settings.step = *options.step;
+    settings.stepping = to_round_off(options.integrator);
+    constexpr double kMostSteps = 1e8;
+    if (settings.duration / settings.step > kMostSteps) {
+        throw InputError(fmt::format("--dt: {:g} makes more than {:g} steps of {:g}",
+                                     settings.step, kMostSteps, settings.duration));
+    }
+    ProgressBar bar("letting go");
+    return release_rod(rod, settings, [&](double done) { bar.show(done); });
 }
 
 RodReport rod_report(const RodOptions& options) {
@@ -49,6 +67,7 @@ RodReport rod_report(const RodOptions& options) {
         report.most_gamma = std::max(1e4, report.setup.gamma);
         report.changes = stability_changes(unit, report.most_gamma, kMostChanges);
     }
+    if (options.release) report.release = release_of(options, report.rod);
     return report;
 }
 
@@ -66,6 +85,13 @@ int run_rod(RodOptions options) {
     fmt::print("{}", rod_table(report));
     if (!report.hung.converged) {
         fmt::print(stderr, "lancret: warning: the equilibrium did not converge\n");
+        return kCheckFailed;
+    }
+    if (report.release && !report.release->finished) {
+        fmt::print(stderr,
+                   "lancret: warning: a step failed at t = {:g}; a shorter --dt "
+                   "or another --integrator may do\n",
+                   report.release->samples.back().time);
         return kCheckFailed;
     }
     return kFine;
@@ -119,6 +145,29 @@ void add_rod(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 600));
     rod->add_flag("--buckling", options->buckling,
                   "the gamma at which the shape stops or starts to be stable");
+    CLI::Option* release =
+        rod->add_option("--release", options->release,
+                        "let go of it in its natural shape, and follow it for so long")
+            ->type_name("TIME")
+            ->check(within(1e-12, 1e6));
+    CLI::Option* step = rod->add_option("--dt", options->step, "time step of --release")
+                            ->type_name("TIME")
+                            ->check(within(1e-12, 1e6));
+    release->needs(step);
+    step->needs(release);
+    rod->add_option("--integrator", options->integrator,
+                    "bdf2 (default), implicit-euler or semi-implicit")
+        ->type_name("NAME")
+        ->needs(release)
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Integrator>{
+            {"bdf2", Integrator::bdf2},
+            {"implicit-euler", Integrator::implicit_euler},
+            {"semi-implicit", Integrator::semi_implicit}}));
+    rod->add_option("--damping", setup.damping,
+                    "mu, a time: K mu q' resists --release; 0 unless said")
+        ->needs(release)
+        ->type_name("TIME")
+        ->check(within(0, 1e6));
     rod->add_option("--json", options->json, "write all of it")
         ->type_name("FILE")
         ->check(not_empty());
@@ -127,12 +176,15 @@ void add_rod(CLI::App& app, int& exit_code) {
         ->check(not_empty());
     rod->footer(
         "Dimensionless: L = EI_1 = rho S = 1, so frequencies are in sqrt(EI_1 / (rho S "
-        "L^4)).\nExamples:\n"
+        "L^4))\nand times in its inverse.\nExamples:\n"
         "  lancret rod --gamma 10 --modes 6\n"
         "  lancret rod --gamma 100 --natural 0,0,6.2832 --root-tangent 0,0,-1 "
         "--root-normal 1,0,0 -o ring.png\n"
         "  lancret rod --root-tangent 0,0,1 --buckling\n"
-        "  lancret rod --bending-ratio 1e8 --buckling --segments 40 --json strip.json");
+        "  lancret rod --bending-ratio 1e8 --buckling --segments 40 --json strip.json\n"
+        "  lancret rod --gamma 10 --natural 1,0,5 --segments 5 --release 10 --dt 0.001 "
+        "-o "
+        "energy.png");
     rod->callback([options, &exit_code] { exit_code = run_rod(*options); });
 }
 

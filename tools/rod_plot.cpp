@@ -5,17 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render_test/image.h"
+#include "tools/plot.h"
 
 namespace lancret {
 
 namespace {
 
-const Vec3f kInk(0.01f, 0.015f, 0.04f), kGrey(0.45f, 0.45f, 0.45f),
-    kGrid(0.85f, 0.85f, 0.85f), kAxis(0.3f, 0.3f, 0.3f), kRed(0.6f, 0.03f, 0.02f);
-constexpr int kPanel = 640, kMargin = 70, kLetters = 18;
-
-using Line = std::vector<Vec2>;  ///< pixels, y down
+constexpr int kPanel = 640;
 
 /// Points along the rod, with those of each segment enough for its turn.
 std::vector<Vec3> points_of(const HangingRod& rod, const Eigen::VectorXd& q) {
@@ -34,98 +30,28 @@ std::vector<Vec3> points_of(const HangingRod& rod, const Eigen::VectorXd& q) {
     return out;
 }
 
-/// A line of round ends, `width` pixels thick, with smooth edges.
-void draw_line(Image& image, const Line& line, double width, const Vec3f& colour) {
-    std::vector<float> cover(image.rgba.size(), 0);
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const Vec2 a = line[i], along = line[i + 1] - a;
-        const double reach = width / 2 + 1, square = along.squaredNorm();
-        const Vec2 low = a.cwiseMin(line[i + 1]), high = a.cwiseMax(line[i + 1]);
-        const auto clip = [&](double x, int most) {
-            return int(std::clamp(x, 0., double(most - 1)));
-        };
-        for (int y = clip(low.y() - reach, image.height);
-             y <= clip(high.y() + reach, image.height); ++y) {
-            for (int x = clip(low.x() - reach, image.width);
-                 x <= clip(high.x() + reach, image.width); ++x) {
-                const Vec2 to = Vec2(x + 0.5, y + 0.5) - a;
-                const double t =
-                    square > 0 ? std::clamp(to.dot(along) / square, 0., 1.) : 0;
-                const double inside = width / 2 + 0.5 - (to - t * along).norm();
-                float& pixel = cover[std::size_t(y) * image.width + x];
-                pixel = std::max(pixel, float(std::clamp(inside, 0., 1.)));
-            }
-        }
-    }
-    for (std::size_t i = 0; i < cover.size(); ++i) {
-        auto pixel = image.rgba[i].head<3>();
-        pixel += cover[i] * (colour - Vec3f(pixel));
-    }
-}
-
-/// 1, 2 or 5 times a power of ten, so that `range` has at most 7 steps.
-double tick_step(double range) {
-    double step = std::pow(10, std::floor(std::log10(range / 7)));
-    for (const double factor : {2., 2.5, 2.}) {
-        if (range / step > 7) step *= factor;
-    }
-    return step;
-}
-
 /// One view: what is across it, in world axes, and where it stands in the picture.
 struct View {
     Vec3 across = Vec3::UnitX();
-    Vec2 low = Vec2::Zero();   ///< the world's corner at the lower left
-    double scale = 1;          ///< pixels for a length
-    int left = 0;              ///< pixels
-    Vec2 size = Vec2::Zero();  ///< pixels
+    Frame frame;
 
-    Vec2 pixel(double h, double z) const {
-        return {left + (h - low.x()) * scale, kMargin + size.y() - (z - low.y()) * scale};
-    }
     Line line(const std::vector<Vec3>& points) const {
         Line out;
-        for (const Vec3& p : points) out.push_back(pixel(across.dot(p), p.z()));
+        for (const Vec3& p : points) out.push_back(frame.pixel(across.dot(p), p.z()));
         return out;
     }
 };
 
-void draw_grid(Image& image, const View& view, const char* name) {
-    const Vec2 range = view.size / view.scale;
-    const double step = tick_step(range.maxCoeff());
-    const auto text = [&](const Vec2& at, const std::string& words) {
-        draw_text(image, int(at.x()), int(at.y()), words, kLetters, kAxis);
-    };
-    const auto label = [](double x) { return fmt::format("{:.3g}", x + 0.0); };
-    for (int axis = 0; axis < 2; ++axis) {
-        const double first = std::ceil(view.low[axis] / step - 1e-9);
-        for (double i = first; i * step < view.low[axis] + range[axis] * (1 + 1e-9);
-             ++i) {
-            Vec2 a = view.low, b = view.low + range;
-            a[axis] = b[axis] = i * step;
-            const Vec2 from = view.pixel(a.x(), a.y()), to = view.pixel(b.x(), b.y());
-            draw_line(image, {from, to}, 1, i == 0 ? kGrey : kGrid);
-            const Vec2 outwards = axis == 0 ? Vec2(0, 6) : Vec2(-6, 0);
-            draw_line(image, {from, from + outwards}, 1, kAxis);
-            const std::string words = label(i == 0 ? 0 : i * step);
-            text(from + (axis == 0 ? Vec2(-4. * words.size(), 24)
-                                   : Vec2(-10 - 10. * words.size(), 6)),
-                 words);
-        }
-    }
-    const Vec2 a = view.pixel(view.low.x(), view.low.y());
-    const Vec2 b = a + Vec2(view.size.x(), -view.size.y());
-    draw_line(image, {a, {b.x(), a.y()}, b, {a.x(), b.y()}, a}, 1, kAxis);
-    text({a.x(), b.y() - 12}, name);
-}
+/// A shape and how it is drawn.
+struct Stroke {
+    std::vector<Vec3> points;
+    double width;  ///< pixels
+    Vec3f colour;
+};
 
-}  // namespace
-
-void write_rod_plot(const std::filesystem::path& path, const RodReport& report) {
-    const std::vector<Vec3> hanging = points_of(report.rod, report.hung.q);
-    const std::vector<Vec3> natural =
-        points_of(report.rod, natural_curvatures(report.rod));
-    const Mat3& root = report.rod.root.frame;
+/// The strokes from the side and, where they leave that plane, from the front. `below`
+/// pixels stay free under the views.
+Image draw_shapes(const Mat3& root, const std::vector<Stroke>& strokes, int below) {
     Vec3 side = root.col(0);
     side.z() = 0;
     if (side.norm() < 1e-3) side = root.col(1) - root.col(1).z() * Vec3::UnitZ();
@@ -136,53 +62,127 @@ void write_rod_plot(const std::filesystem::path& path, const RodReport& report) 
     std::vector<View> views(1);
     views[0].across = side;
     double off_plane = 0;
-    for (const Vec3& p : hanging) off_plane = std::max(off_plane, std::abs(front.dot(p)));
-    for (const Vec3& p : natural) off_plane = std::max(off_plane, std::abs(front.dot(p)));
+    for (const Stroke& stroke : strokes) {
+        for (const Vec3& p : stroke.points) {
+            off_plane = std::max(off_plane, std::abs(front.dot(p)));
+        }
+    }
     if (off_plane > 0.01) views.emplace_back().across = front;
     std::vector<Vec2> extents;
     double longest = 0.1;
     for (View& view : views) {
         Vec2 low(0, 0), high(0, 0);
-        for (const auto* shape : {&hanging, &natural}) {
-            for (const Vec3& p : *shape) {
+        for (const Stroke& stroke : strokes) {
+            for (const Vec3& p : stroke.points) {
                 const Vec2 at(view.across.dot(p), p.z());
                 low = low.cwiseMin(at);
                 high = high.cwiseMax(at);
             }
         }
         const Vec2 spare = Vec2::Constant(std::max(0.05 * (high - low).maxCoeff(), 0.02));
-        view.low = low - spare;
+        view.frame.low = low - spare;
         extents.push_back(high - low + 2 * spare);
         longest = std::max(longest, extents.back().maxCoeff());
     }
     int width = 0, height = 0;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        View& view = views[i];
-        view.scale = kPanel / longest;
-        view.size = extents[i] * view.scale;
+        Frame& frame = views[i].frame;
+        frame.scale.setConstant(kPanel / longest);
+        frame.size = extents[i] * kPanel / longest;
         // Wide enough for its words.
-        view.size.x() = std::max(view.size.x(), 280.);
-        view.low.x() -= (view.size.x() / view.scale - extents[i].x()) / 2;
-        view.left = width + kMargin;
-        width += int(view.size.x()) + kMargin + kMargin / 3;
-        height = std::max(height, int(view.size.y()) + 2 * kMargin);
+        frame.size.x() = std::max(frame.size.x(), 280.);
+        frame.low.x() -= (frame.size.x() / frame.scale.x() - extents[i].x()) / 2;
+        frame.left = width + kMargin;
+        width += int(frame.size.x()) + kMargin + kMargin / 3;
+        height = std::max(height, int(frame.size.y()) + 2 * kMargin);
     }
 
-    Image image(width, height);
+    Image image(width, height + below);
     for (auto& pixel : image.rgba) pixel.setOnes();
     for (std::size_t i = 0; i < views.size(); ++i) {
         const View& view = views[i];
-        draw_grid(image, view, i == 0 ? "from the side" : "from the front");
-        draw_line(image, view.line(natural), 2, kGrey);
-        draw_line(image, view.line(hanging), 4, kInk);
-        const Vec2 at = view.pixel(0, 0);
+        draw_grid(image, view.frame, i == 0 ? "from the side" : "from the front");
+        for (const Stroke& stroke : strokes) {
+            draw_line(image, view.line(stroke.points), stroke.width, stroke.colour);
+        }
+        const Vec2 at = view.frame.pixel(0, 0);
         draw_line(image, {at, at}, 12, kRed);
     }
+    return image;
+}
+
+void draw_title(Image& image, const RodReport& report, const std::string& more) {
     const Vec3& n = report.setup.natural;
     draw_text(image, kMargin, 24,
-              fmt::format("gamma {:g}, natural ({:.4g}, {:.4g}, {:.4g})",
-                          report.setup.gamma, n.x(), n.y(), n.z()),
+              fmt::format("gamma {:g}, natural ({:.4g}, {:.4g}, {:.4g}){}",
+                          report.setup.gamma, n.x(), n.y(), n.z(), more),
               kLetters, kInk);
+}
+
+/// The energies in time.
+void draw_energy(Image& image, const Frame& frame, const RodRelease& release) {
+    const auto curve = [&](double ReleaseSample::*part) {
+        Line out;
+        for (const ReleaseSample& s : release.samples) {
+            out.push_back(frame.pixel(s.time, part ? s.*part : s.total()));
+        }
+        return out;
+    };
+    draw_grid(image, frame,
+              "energy: total black, kinetic red, elastic green, weight blue");
+    draw_line(image, curve(&ReleaseSample::kinetic), 2, kRed);
+    draw_line(image, curve(&ReleaseSample::elastic), 2, kGreen);
+    draw_line(image, curve(&ReleaseSample::weight), 2, kBlue);
+    draw_line(image, curve(nullptr), 3, kInk);
+}
+
+void write_release_plot(const std::filesystem::path& path, const RodReport& report,
+                        const RodRelease& release) {
+    std::vector<Stroke> strokes;
+    strokes.push_back({points_of(report.rod, report.hung.q), 2, kRed});
+    const std::size_t count = release.shapes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const float age = 1 - float(i + 1) / float(count);
+        strokes.push_back({points_of(report.rod, release.shapes[i]), 3,
+                           kInk + 0.75f * age * (Vec3f::Ones() - kInk)});
+    }
+    constexpr int kGraph = 360;
+    Image image = draw_shapes(report.rod.root.frame, strokes, kGraph);
+    draw_title(image, report,
+               fmt::format(", let go, to t = {:g}", release.samples.back().time));
+    double low = 0, high = 0;
+    for (const ReleaseSample& s : release.samples) {
+        for (const double e : {s.kinetic, s.elastic, s.weight, s.total()}) {
+            low = std::min(low, e);
+            high = std::max(high, e);
+        }
+    }
+    const double range = std::max(high - low, 1e-9);
+    Frame frame;
+    frame.left = kMargin + kMargin / 2;
+    frame.top = image.height - kGraph + kMargin / 3;
+    frame.size = {double(image.width - frame.left - kMargin / 3),
+                  double(kGraph - kMargin)};
+    frame.low = {0, low - 0.05 * range};
+    frame.scale = {frame.size.x() / std::max(release.samples.back().time, 1e-300),
+                   frame.size.y() / (1.1 * range)};
+    draw_energy(image, frame, release);
+    write_image(path, image, Vec3f(1, 1, 1));
+}
+
+}  // namespace
+
+void write_rod_plot(const std::filesystem::path& path, const RodReport& report) {
+    if (report.release) {
+        write_release_plot(path, report, *report.release);
+        return;
+    }
+    Image image =
+        draw_shapes(report.rod.root.frame,
+                    {{points_of(report.rod, natural_curvatures(report.rod)), 2, kGrey},
+                     {points_of(report.rod, report.hung.q), 4, kInk}},
+                    0);
+    draw_title(image, report, "");
     write_image(path, image, Vec3f(1, 1, 1));
 }
 

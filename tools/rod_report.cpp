@@ -15,8 +15,44 @@ namespace {
 
 nlohmann::json array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-Vec3 tip_of(const RodReport& report) {
-    return rod_joints(report.rod, report.hung.q).back().position;
+Vec3 tip_of(const RodReport& report, const Eigen::VectorXd& q) {
+    return rod_joints(report.rod, q).back().position;
+}
+
+nlohmann::json energy_json(const HangingEnergy& energy) {
+    return {{"elastic", energy.elastic},
+            {"gravity", energy.gravity},
+            {"total", energy.total()}};
+}
+
+/// Puts the motion in the place of the shape in which the rod hangs, which goes into
+/// `equilibrium`.
+void add_release(const RodReport& report, nlohmann::json& out) {
+    const RodRelease& release = *report.release;
+    nlohmann::json hung;
+    for (const char* key : {"tip", "energy", "curvatures"}) hung[key] = out[key];
+    out["equilibrium"] = hung;
+    out["energy"] = nlohmann::json::array();
+    for (const ReleaseSample& s : release.samples) {
+        out["energy"].push_back({{"t", s.time},
+                                 {"kinetic", s.kinetic},
+                                 {"elastic", s.elastic},
+                                 {"gravity", s.weight},
+                                 {"total", s.total()}});
+    }
+    const std::optional<double> drift = energy_drift(report);
+    out["energy_drift"] = drift ? nlohmann::json(*drift) : nlohmann::json();
+    out["largest_rise"] = release.largest_rise;
+    out["tip"] = array(tip_of(report, release.q));
+    out["curvatures"] = nlohmann::json::array();
+    for (std::size_t i = 0; i < report.rod.segments(); ++i) {
+        out["curvatures"].push_back(array(release.q.segment<3>(3 * i)));
+    }
+    out["time"] = release.samples.back().time;
+    out["steps"] = release.steps;
+    out["unconverged_steps"] = release.unconverged;
+    out["finished"] = release.finished;
+    out["damping"] = report.setup.damping;
 }
 
 double root_curvature(const RodReport& report) {
@@ -58,6 +94,7 @@ HangingRod rod_of(const RodSetup& setup) {
     rod.lengths.assign(setup.segments, 1. / setup.segments);
     rod.natural.assign(setup.segments, setup.natural);
     rod.section.stiffness = {setup.torsion_ratio, 1, setup.bending_ratio};
+    rod.section.damping = setup.damping * rod.section.stiffness;
     rod.gravity = -setup.gamma * Vec3::UnitZ();
     return rod;
 }
@@ -70,9 +107,18 @@ std::optional<double> critical_gamma(const RodReport& report) {
     return std::nullopt;
 }
 
+std::optional<double> energy_drift(const RodReport& report) {
+    if (!report.release || !report.hung.converged) return std::nullopt;
+    const double first = report.release->samples.front().total();
+    const double depth = first - report.hung.energy.total();
+    // Round-off of either energy, many times over.
+    if (!(depth > 1e-12 * (report.setup.gamma + 1))) return std::nullopt;
+    return report.release->largest_change / depth;
+}
+
 std::string rod_table(const RodReport& report) {
     const RodEquilibrium& hung = report.hung;
-    const Vec3 tip = tip_of(report);
+    const Vec3 tip = tip_of(report, hung.q);
     const LowestPoint low = lowest_point(report.rod, hung.q, Vec3::UnitZ());
     std::string out;
     const auto row = [&](const char* name, const std::string& value) {
@@ -103,6 +149,16 @@ std::string rod_table(const RodReport& report) {
                                         change.weight, change.fold ? ", by a snap" : ""));
         }
     }
+    if (report.release) {
+        const RodRelease& release = *report.release;
+        const Vec3 end = tip_of(report, release.q);
+        const std::optional<double> drift = energy_drift(report);
+        row("let go", fmt::format("{} steps to t = {:g}{}", release.steps,
+                                  double(release.samples.back().time),
+                                  release.finished ? "" : ", where the step failed"));
+        row("  tip", fmt::format("{:.8f} {:.8f} {:.8f}", end.x(), end.y(), end.z()));
+        row("  energy drift", drift ? fmt::format("{:.3g}", *drift) : "no scale for it");
+    }
     return out;
 }
 
@@ -118,16 +174,13 @@ nlohmann::json rod_json(const RodReport& report) {
         {"torsion_ratio", setup.torsion_ratio},
         {"bending_ratio", setup.bending_ratio},
         {"segments", setup.segments},
-        {"tip", array(tip_of(report))},
+        {"tip", array(tip_of(report, hung.q))},
         {"tip_angle", tip_angle(report.rod, hung.q)},
         {"lowest", low.height},
         {"lowest_at", low.s},
         {"root_curvature", root_curvature(report)},
         {"root_darboux", array(root_darboux(report.rod, hung.q))},
-        {"energy",
-         {{"elastic", hung.energy.elastic},
-          {"gravity", hung.energy.gravity},
-          {"total", hung.energy.total()}}},
+        {"energy", energy_json(hung.energy)},
         {"stable", hung.stable},
         {"converged", hung.converged},
         {"left_branch", hung.left_branch},
@@ -149,6 +202,7 @@ nlohmann::json rod_json(const RodReport& report) {
                                                 {"snap", change.fold}});
         }
     }
+    if (report.release) add_release(report, out);
     return out;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/rod_equilibrium.h"
+#include "sim/rod_release.h"
 #include "sim/rod_stability.h"
 
 namespace lancret {
@@ -20,6 +21,7 @@ struct RodSetup {
     double torsion_ratio = 2. / 3;    ///< GJ / EI_1
     double bending_ratio = 1;         ///< EI_2 / EI_1
     int segments = 20;
+    double damping = 0;  ///< mu, in sqrt(rho S L^4 / EI_1)
 };
 
 /// The rod of a setup. Throws InputError that names the option which cannot be: a zero
@@ -32,7 +34,8 @@ struct RodReport {
     RodEquilibrium hung;
     std::vector<double> modes;                            ///< as many as asked for
     std::optional<std::vector<StabilityChange>> changes;  ///< none: not asked for
-    double most_gamma = 0;  ///< up to which they were looked for
+    double most_gamma = 0;              ///< up to which they were looked for
+    std::optional<RodRelease> release;  ///< none: not asked for
 };
 
 /// The largest gamma, and the largest gamma that is searched for buckling.
@@ -40,6 +43,10 @@ inline constexpr double kMostGamma = 1e6;
 
 /// The first weight at which stability is lost.
 std::optional<double> critical_gamma(const RodReport& report);
+
+/// The largest |E - E0| of a release against E0 - E of the equilibrium: none where the
+/// equilibrium is not known or no lower than the natural shape.
+std::optional<double> energy_drift(const RodReport& report);
 
 /// As a table for people and as JSON.
 std::string rod_table(const RodReport& report);

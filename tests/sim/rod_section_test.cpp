@@ -41,8 +41,7 @@ TEST(RodSection, RefusesWhatIsNoHair) {
         EXPECT_THROW(rod_section(hair, Dissipation::uniform, 0), std::invalid_argument);
     };
     refuses([](RodMaterial& h) { h.young_modulus = 0; });
-    refuses(
-        [](RodMaterial& h) { h.density = std::numeric_limits<double>::quiet_NaN(); });
+    refuses([](RodMaterial& h) { h.density = std::numeric_limits<double>::quiet_NaN(); });
     refuses([](RodMaterial& h) { h.radius2 = -1; });
     refuses([](RodMaterial& h) { h.radius1 = std::numeric_limits<double>::infinity(); });
     refuses([](RodMaterial& h) { h.poisson_ratio = 0.51; });
