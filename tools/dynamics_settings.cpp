@@ -16,11 +16,21 @@ namespace {
 constexpr std::string_view kDissipations[] = {"viscoelastic", "uniform"};
 constexpr std::string_view kIntegrators[] = {"implicit-euler", "bdf2", "semi-implicit"};
 constexpr std::string_view kShapes[] = {"sphere", "capsule", "mesh"};
-constexpr double kMostFrame = 1e6;
+constexpr double kMostFrame = 1e6, kMostCoordinate = 1e6;
 
 template <class T, class U>
 void set(T& to, const std::optional<U>& value) {
     if (value) to = T(*value);
+}
+
+/// A vector whose numbers a simulation can bear.
+std::optional<Vec3> bounded(const TomlTable& table, std::string_view key) {
+    const auto value = table.vector(key);
+    if (value && value->cwiseAbs().maxCoeff() > kMostCoordinate) {
+        table.fail(key, fmt::format("'{}' must be within {} in each direction", key,
+                                    kMostCoordinate));
+    }
+    return value;
 }
 
 void read_material(const TomlTable& dynamics, SimulationSettings& out) {
@@ -58,7 +68,7 @@ void read_strands(const TomlTable& strands, StrandContactSettings& out) {
 }
 
 void read_wind(const TomlTable& wind, WindSettings& out) {
-    set(out.mean, wind.vector("velocity"));
+    set(out.mean, bounded(wind, "velocity"));
     set(out.turbulence, wind.number("turbulence", 0, 1e5));
     set(out.length_scale, wind.number("length_scale", 0.1, 1e5));
     set(out.time_scale, wind.number("time_scale", 1e-3, 1e5));
@@ -76,7 +86,7 @@ void read_step(const TomlTable& dynamics, SimulationSettings& out) {
 }
 
 void read_keys(const TomlTable& table, MotionSettings& out) {
-    set(out.pivot, table.vector("pivot"));
+    set(out.pivot, bounded(table, "pivot"));
     for (const TomlTable& key : table.tables("keys")) {
         PoseKey pose;
         const auto frame = key.number("frame", -kMostFrame, kMostFrame);
@@ -85,8 +95,8 @@ void read_keys(const TomlTable& table, MotionSettings& out) {
         if (!out.keys.empty() && pose.frame < out.keys.back().frame + 1e-6) {
             key.fail("frame", "the frames of keys must rise");
         }
-        set(pose.translation, key.vector("move"));
-        set(pose.rotation, key.vector("turn"));
+        set(pose.translation, bounded(key, "move"));
+        set(pose.rotation, bounded(key, "turn"));
         out.keys.push_back(pose);
     }
 }
@@ -123,9 +133,9 @@ ColliderSettings read_collider(const TomlTable& table) {
     } else {
         Capsule body;
         set(body.radius, table.number("radius", 1e-3, 1e4));
-        set(body.a, table.vector(*shape == 0 ? "centre" : "from"));
+        set(body.a, bounded(table, *shape == 0 ? "centre" : "from"));
         body.b = body.a;
-        if (*shape == 1) set(body.b, table.vector("to"));
+        if (*shape == 1) set(body.b, bounded(table, "to"));
         out.shape = body;
     }
     set(out.with_head, table.boolean("with_head"));
@@ -166,7 +176,8 @@ DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene) {
         out.colliders.push_back(read_collider(table));
         if (out.colliders.back().with_head && !out.motion.files.pattern.empty()) {
             table.fail("with_head",
-                       "nothing can move with a head that deforms; give it keys");
+                       "'with_head': nothing moves with a head that deforms; give it "
+                       "'keys'");
         }
     }
     return out;

@@ -76,6 +76,7 @@ std::string job_text(const SimulateOptions& options, const Job& job,
 }
 
 int simulate_groom(const SimulateOptions& options) {
+    if (!(options.fps >= 1)) throw InputError("--fps: is no number of frames");
     Job job = read_job(options.groom);
     check_output(options.output, {".h5"}, options.groom, job.groom);
     check_output(options.groom.stats, {}, options.groom, job.groom, options.output);

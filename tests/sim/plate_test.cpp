@@ -23,7 +23,8 @@ struct Plate {
         settings.material.young_modulus = 4e9;
         settings.gravity = 981 * Vec3(0, std::sin(slope), -std::cos(slope));
         settings.contact.free_root = 0;
-        guides = straight_guide({0, 0, settings.contact.thickness}, Vec3::UnitX(), 12, 10);
+        guides =
+            straight_guide({0, 0, settings.contact.thickness}, Vec3::UnitX(), 12, 10);
     }
     Simulation simulation() const {
         SimulationScene scene = scene_of(guides);

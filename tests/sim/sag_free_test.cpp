@@ -19,11 +19,13 @@ TEST(SagFree, TheGroomIsAnEquilibriumOfTheRodsEnergy) {
         HangingRod rod;
         rod.root = guides.root(g);
         rod.lengths.assign(8, 15. / 8);
-        rod.natural.assign(natural.begin() + long(g) * 8, natural.begin() + long(g) * 8 + 8);
+        rod.natural.assign(natural.begin() + long(g) * 8,
+                           natural.begin() + long(g) * 8 + 8);
         rod.section = section;
         rod.gravity = gravity;
         Eigen::VectorXd q(24);
-        for (int i = 0; i < 24; ++i) q[i] = guides.curvatures_of(g)[std::size_t(i / 3)][i % 3];
+        for (int i = 0; i < 24; ++i)
+            q[i] = guides.curvatures_of(g)[std::size_t(i / 3)][i % 3];
         // The load alone, to compare with: the two quadratures agree to 1e-10 each.
         GravityTerms load;
         gravity_terms(rod, q, Derivatives::first, load);

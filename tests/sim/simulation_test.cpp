@@ -37,8 +37,8 @@ TEST(Simulation, SameBitsForAnyNumberOfThreads) {
         BusyScene busy;
         if (!strands) busy.settings.strand_contact.radius = 0;
         const auto run = [&](std::size_t threads) {
-            const tbb::global_control limit(
-                tbb::global_control::max_allowed_parallelism, threads);
+            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                            threads);
             Simulation simulation = busy.simulation();
             for (int frame = 0; frame < 10; ++frame) simulation.advance();
             return std::pair(simulation.guides(), simulation.restart());

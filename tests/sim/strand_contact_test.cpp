@@ -23,8 +23,8 @@ double distance(const Guides& guides) {
     for (double s = 0; s <= 10; s += 0.05) {
         const Vec3 a = state_at(super_helix(guides, 0), s).position;
         for (double t = 0; t <= 10; t += 0.05) {
-            out = std::min(out,
-                           (a - state_at(super_helix(guides, 1), t).position).norm());
+            out =
+                std::min(out, (a - state_at(super_helix(guides, 1), t).position).norm());
         }
     }
     return out;
@@ -91,9 +91,9 @@ TEST(StrandContact, PairsOfStationsPushEachOtherAlike) {
     const Guides begun = guides;
     Simulation simulation(guides, settings, scene_of(guides), 1);
     simulation.advance();
-    const double density = rod_section(settings.material, settings.dissipation,
-                                       settings.damping)
-                               .linear_density;
+    const double density =
+        rod_section(settings.material, settings.dissipation, settings.damping)
+            .linear_density;
     const Vec3 a = momentum(begun, simulation.guides(), 0, density);
     const Vec3 b = momentum(begun, simulation.guides(), 1, density);
     EXPECT_GT(a.y(), 1e-4);

@@ -74,7 +74,8 @@ TEST(Simulate, KilledAtAnyMomentAndContinuedComesToTheSameBytes) {
     // Each time after a random part of what the whole takes, the first time at once.
     for (; rounds < 60 && kills < 14; ++rounds) {
         const auto after = std::chrono::microseconds(
-            1 + random() % std::uint64_t(takes.count() / 4 + takes.count() * rounds / 40));
+            1 +
+            random() % std::uint64_t(takes.count() / 4 + takes.count() * rounds / 40));
         const CommandRun run = run_words(words, after);
         if (run.exit_code == 0) {
             // Done: from the first again, for the kills that are left.
@@ -185,7 +186,8 @@ TEST(Simulate, RootsFollowAHeadOfObjFiles) {
     }
     EXPECT_GT(moved, 0.5);
     EXPECT_LT(moved, 0.9 + 1e-6);
-    ASSERT_THAT(lancret({"preview", cache, "--frame", "4", "-o", f.at("a.png")}), works());
+    ASSERT_THAT(lancret({"preview", cache, "--frame", "4", "-o", f.at("a.png")}),
+                works());
     // A file that is not there is named.
     std::filesystem::remove(f / "head.0003.obj");
     EXPECT_THAT(lancret({"simulate", groom, "--frames", "1-6", "--restart", "-o",
@@ -213,8 +215,9 @@ TEST(Simulate, EveryShapeOfColliderKeepsHairOut) {
          "radius = 1.5\n" +
              keys},
         {"mesh", "[[colliders]]\nshape = 'mesh'\nfile = 'ball.obj'\n" + keys},
-        {"head", "[[colliders]]\nshape = 'sphere'\ncentre = [2, 2, 3.5]\nradius = 0.5\n"
-                 "with_head = true\n"}};
+        {"head",
+         "[[colliders]]\nshape = 'sphere'\ncentre = [2, 2, 3.5]\nradius = 0.5\n"
+         "with_head = true\n"}};
     std::string none;
     for (const auto& [name, text] : shapes) {
         const std::string groom = f.file(std::string(name) + ".toml", head + text);
