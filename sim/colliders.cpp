@@ -180,4 +180,42 @@ Vec3 Colliders::carried(const SurfaceSample& sample, const Vec3& x) const {
     return body.pose * place;
 }
 
+double Colliders::drift() const {
+    double square = 0;
+    const auto moves = [&](const Vec3& before, const Vec3& now) {
+        square = std::max(square, (now - before).squaredNorm());
+    };
+    for (const Body& body : bodies_) {
+        const Body& first = bodies_.front();
+        const auto seen = [&](const RigidPose& own, const RigidPose& from,
+                              const Vec3& x) { return inverse_image(from, own * x); };
+        const auto* mesh = std::get_if<MeshBody>(&body.shape);
+        if (mesh && mesh->deformed) {
+            for (std::size_t i = 0; i < mesh->previous.size(); ++i) {
+                moves(
+                    seen(body.previous, first.previous, mesh->previous[i].cast<double>()),
+                    seen(body.pose, first.pose, mesh->mesh.positions[i].cast<double>()));
+            }
+            continue;
+        }
+        // What an affine map moves furthest of a box is one of its corners.
+        Eigen::AlignedBox3d box;
+        if (mesh) {
+            box = mesh->box;
+        } else {
+            const Capsule& capsule = std::get<Capsule>(body.shape);
+            const Vec3 reach = Vec3::Constant(capsule.radius);
+            for (const Vec3& end : {capsule.a, capsule.b}) {
+                box.extend(Vec3(end - reach));
+                box.extend(Vec3(end + reach));
+            }
+        }
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 x = box.corner(Eigen::AlignedBox3d::CornerType(corner));
+            moves(seen(body.previous, first.previous, x), seen(body.pose, first.pose, x));
+        }
+    }
+    return std::sqrt(square);
+}
+
 }  // namespace lancret

@@ -59,6 +59,14 @@ class Colliders {
     /// depth, whichever is more.
     SurfaceSample nearest(const Vec3& x, double within) const;
 
+    /// The pose of body 0, which others are told apart from (identity without bodies).
+    RigidPose reference() const {
+        return bodies_.empty() ? RigidPose{} : bodies_[0].pose;
+    }
+    /// No surface moved by more than this, cm, from the previous time to now, as seen
+    /// from body 0: for who remembers distances in its space.
+    double drift() const;
+
     /// Where the point that was at x (world, cm) at the previous time is now, if it
     /// sticks to the body of `sample` (of whose collider is not -1): it keeps its place
     /// in the body's own space, on a deformed mesh its place in the plane of the sample's

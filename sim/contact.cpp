@@ -44,18 +44,22 @@ RodContact::RodContact(const Colliders& colliders, const ContactSettings& settin
 void RodContact::begin(const Strand& strand, double eps) {
     strand_ = strand;
     eps_ = eps;
-    clear_.assign(strand.anchors.size(), {});
+    clear_.assign(strand.clear.empty() ? strand.anchors.size() : 0, {});
+    if (strand.clear.empty()) strand_.clear = clear_;
+    reference_ = colliders_.reference();
 }
 
 SurfaceSample RodContact::sample(std::size_t station, const Vec3& place) {
-    Clearance& clear = clear_[station];
-    if (clear.clearance > 0 &&
-        (place - clear.place).squaredNorm() < clear.clearance * clear.clearance) {
+    Clearance& clear = strand_.clear[station];
+    const Vec3 seen = inverse_image(reference_, place);
+    if (clear.distance > 0 &&
+        (seen - clear.place).squaredNorm() < clear.distance * clear.distance) {
         return {};
     }
     const double reach = contact_reach(settings_);
     const SurfaceSample found = colliders_.nearest(place, reach);
-    clear = {place, std::min(found.distance, reach) - settings_.thickness};
+    // A little less, so that round-off never hides a touch.
+    clear = {seen, std::min(found.distance, reach) - settings_.thickness - 1e-9};
     return found;
 }
 

@@ -66,6 +66,13 @@ struct StrandNear {
     double share = 0;  ///< of the pair's energy that is this strand's
 };
 
+/// No body is within `distance` (cm) of `place`, which is told in the space of body 0: so
+/// far a station may go before bodies are asked again. Below 0: not known.
+struct Clearance {
+    Vec3 place = Vec3::Zero();
+    double distance = -1;
+};
+
 /// The contact of one strand in one step.
 class RodContact : public RodPotential {
   public:
@@ -81,6 +88,9 @@ class RodContact : public RodPotential {
         std::span<const Vec3> places;
         std::span<const StrandNear> near;
         std::span<const std::uint8_t> near_counts;
+        /// One a station, kept from step to step and lessened by Colliders::drift(); or
+        /// empty, and then forgotten at each begin.
+        std::span<Clearance> clear;
     };
     static constexpr int kMostNear = 4;
 
@@ -107,11 +117,7 @@ class RodContact : public RodPotential {
     const StrandContactSettings& strands_;
     Strand strand_;
     double eps_ = 0;
-    /// Nothing is within `clearance` (cm) of `place`: asked for once, then known.
-    struct Clearance {
-        Vec3 place = Vec3::Zero();
-        double clearance = -1;
-    };
+    RigidPose reference_;
     std::vector<Clearance> clear_;
 };
 

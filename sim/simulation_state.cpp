@@ -91,6 +91,7 @@ Simulation::State::State(const Guides& rest, SimulationSettings s, SimulationSce
     halvings.assign(guides.size(), 0);
     anchors.resize(guides.size() * stations());
     allowed.assign(anchors.size(), 0);
+    clear.resize(anchors.size());
     roots.resize(guides.size());
     next_roots.resize(guides.size());
     stand(at);
@@ -121,6 +122,7 @@ void Simulation::State::stand(double at) {
     std::ranges::fill(rates, Vec3::Zero());
     std::ranges::fill(halvings, 0);
     std::ranges::fill(anchors, ContactAnchor{});
+    std::ranges::fill(clear, Clearance{});
 }
 
 /// How deep the groom itself lies in bodies: so far it is let alone.
@@ -145,7 +147,7 @@ void Simulation::State::measure_groom() {
 }
 
 void Simulation::State::advance_guide(std::size_t g, double eps, double time,
-                                      SimulationWorker& worker) {
+                                      double drift, SimulationWorker& worker) {
     const Rod rod = this->rod(g);
     const std::span<Vec3> q = curvatures_of(g);
     const std::span<Vec3> rate = std::span(rates).subspan(g * q.size(), q.size());
@@ -159,6 +161,8 @@ void Simulation::State::advance_guide(std::size_t g, double eps, double time,
         strand.near = neighbours.near(g);
         strand.near_counts = neighbours.counts(g);
     }
+    strand.clear = std::span(clear).subspan(g * n, n);
+    for (Clearance& c : strand.clear) c.distance -= drift;
     const bool contact = scene.colliders.size() > 0 || strands_touch();
     carry(scene.colliders, strand.anchors);
     RodForces forces{settings.gravity, settings.drag, {}};
@@ -232,8 +236,9 @@ void Simulation::State::substep(double from, double to) {
     }
     move_roots(to, next_roots);
     if (scene.move_colliders) scene.move_colliders(to, scene.colliders);
+    const double drift = scene.colliders.drift();
     tbb::parallel_for(std::size_t(0), guides.size(), [&](std::size_t g) {
-        advance_guide(g, eps, to / scene.frames_per_second, workers.local());
+        advance_guide(g, eps, to / scene.frames_per_second, drift, workers.local());
     });
     std::swap(roots, next_roots);
     frame = to;

@@ -30,6 +30,7 @@ struct Simulation::State {
     std::vector<int> halvings;  ///< [guides], of a substep, as last taken
     std::vector<ContactAnchor> anchors;
     std::vector<double> allowed;
+    std::vector<Clearance> clear;  ///< of each station; what it says is never needed
     StrandNeighbours neighbours;
     tbb::enumerable_thread_specific<SimulationWorker> workers;
     Guides initial;
@@ -53,7 +54,8 @@ struct Simulation::State {
     void stand(double at);
     void measure_groom();
     void substep(double from, double to);
-    void advance_guide(std::size_t g, double eps, double time, SimulationWorker& worker);
+    void advance_guide(std::size_t g, double eps, double time, double drift,
+                       SimulationWorker& worker);
 };
 
 }  // namespace lancret
