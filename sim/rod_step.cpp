@@ -74,7 +74,13 @@ void RodStepper::places_of(const Rod& rod, const RodPose& pose, Motion& motion) 
 void RodStepper::recall(const Rod& rod, const RootMotion& from,
                         std::span<const Vec3> curvatures, std::span<const Vec3> rates,
                         const RodPast& past, bool of_bdf2) {
-    layout_.lay_out(rod.lengths, curvatures);
+    // Points enough for the pose that velocities are told by, too.
+    std::ranges::copy(curvatures, tried_.begin());
+    for (std::size_t q = 0; past.size > 0 && q < tried_.size(); ++q) {
+        const Vec3& last = past.poses[0].curvatures[q];
+        if (last.squaredNorm() > tried_[q].squaredNorm()) tried_[q] = last;
+    }
+    layout_.lay_out(rod.lengths, tried_);
     point_places(rod.lengths, from.pose, curvatures, layout_, now_.places, now_.joints);
     if (past.size == 0) {
         point_velocities(rod, {from, curvatures, rates}, layout_, now_.velocities,
