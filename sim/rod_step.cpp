@@ -69,8 +69,7 @@ void RodStepper::places_of(const Rod& rod, const RodPose& pose, Motion& motion) 
 }
 
 /// Where the rod is and how it moves now. A velocity is the difference of places that the
-/// step which led there took for it: any other is of first order only. BDF2's first two
-/// steps are implicit Euler's, so of its velocities that at the second pose is one, too.
+/// step which led there took for it, also at BDF2's start: others are of first order.
 void RodStepper::recall(const Rod& rod, const RootMotion& from,
                         std::span<const Vec3> curvatures, std::span<const Vec3> rates,
                         const RodPast& past, bool of_bdf2) {
