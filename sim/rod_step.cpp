@@ -87,8 +87,7 @@ void RodStepper::recall(const Rod& rod, const RootMotion& from,
         return;
     }
     places_of(rod, past.poses[0], before_);
-    const double rate = 1 / past.eps;
-    if (of_bdf2 && past.size > 2) {
+    if (const double rate = 1 / past.eps; of_bdf2 && past.size > 2) {
         places_of(rod, past.poses[1], earlier_);
         combine(1.5 * rate, now_.places, -2 * rate, before_.places, 0.5 * rate,
                 earlier_.places, now_.velocities);
@@ -101,8 +100,7 @@ void RodStepper::recall(const Rod& rod, const RootMotion& from,
     }
 }
 
-/// Puts BDF2's places, velocities and curvatures in the place of those of implicit Euler;
-/// gives h.
+/// Puts BDF2's places, velocities and curvatures for those of implicit Euler; gives h.
 double RodStepper::begin_bdf2(const Rod& rod, const RodPast& past) {
     const double eps = past.eps;
     places_of(rod, past.poses[1], earlier_);
