@@ -63,45 +63,52 @@ void RodPast::push(const HelixState<double>& root, std::span<const Vec3> curvatu
     size = std::min(size + 1, kMost);
 }
 
-/// Where the rod is and how it moves now.
+void RodStepper::places_of(const Rod& rod, const RodPose& pose, Motion& motion) {
+    point_places(rod.lengths, pose.root, pose.curvatures, layout_, motion.places,
+                 motion.joints);
+}
+
+/// Where the rod is and how it moves now. A velocity is the difference of places that the
+/// step which led there took for it, also at BDF2's start: others are of first order.
 void RodStepper::recall(const Rod& rod, const RootMotion& from,
                         std::span<const Vec3> curvatures, std::span<const Vec3> rates,
-                        const RodPast& past) {
-    layout_.lay_out(rod.lengths, curvatures);
+                        const RodPast& past, bool of_bdf2) {
+    // Points enough for the pose that velocities are told by, too.
+    std::ranges::copy(curvatures, tried_.begin());
+    for (std::size_t q = 0; past.size > 0 && q < tried_.size(); ++q) {
+        const Vec3& last = past.poses[0].curvatures[q];
+        if (last.squaredNorm() > tried_[q].squaredNorm()) tried_[q] = last;
+    }
+    layout_.lay_out(rod.lengths, tried_);
     point_places(rod.lengths, from.pose, curvatures, layout_, now_.places, now_.joints);
     if (past.size == 0) {
         point_velocities(rod, {from, curvatures, rates}, layout_, now_.velocities,
                          now_.joint_velocities);
         return;
     }
-    const RodPose& last = past.poses[0];
-    point_places(rod.lengths, last.root, last.curvatures, layout_, before_.places,
-                 before_.joints);
-    combine(1 / past.eps, now_.places, -1 / past.eps, before_.places, now_.velocities);
+    places_of(rod, past.poses[0], before_);
+    if (const double rate = 1 / past.eps; of_bdf2 && past.size > 2) {
+        places_of(rod, past.poses[1], earlier_);
+        combine(1.5 * rate, now_.places, -2 * rate, before_.places, 0.5 * rate,
+                earlier_.places, now_.velocities);
+    } else {
+        combine(rate, now_.places, -rate, before_.places, now_.velocities);
+    }
     now_.joint_velocities.resize(now_.joints.size());
     for (std::size_t q = 0; q < now_.joints.size(); ++q) {
         now_.joint_velocities[q] = (now_.joints[q] - before_.joints[q]) / past.eps;
     }
 }
 
-/// Puts BDF2's places, velocities and curvatures in the place of those of implicit Euler;
-/// gives h.
+/// Puts BDF2's places, velocities and curvatures for those of implicit Euler; gives h.
 double RodStepper::begin_bdf2(const Rod& rod, const RodPast& past) {
-    const auto places = [&](int age, Motion& motion) {
-        const RodPose& pose = past.poses[age];
-        point_places(rod.lengths, pose.root, pose.curvatures, layout_, motion.places,
-                     motion.joints);
-    };
     const double eps = past.eps;
-    places(1, earlier_);
-    // v_t of second order; v_{t-1} too, once there are poses enough.
-    combine(1.5 / eps, now_.places, -2 / eps, before_.places, 0.5 / eps, earlier_.places,
-            now_.velocities);
-    if (past.size < 3) {
+    places_of(rod, past.poses[1], earlier_);
+    if (past.size < 4) {
         combine(1 / eps, before_.places, -1 / eps, earlier_.places, before_.velocities);
     } else {
         combine(1.5 / eps, before_.places, -2 / eps, earlier_.places, before_.velocities);
-        places(2, earlier_);
+        places_of(rod, past.poses[2], earlier_);
         combine(1, before_.velocities, 0.5 / eps, earlier_.places, before_.velocities);
     }
     combine(4. / 3, now_.places, -1. / 3, before_.places, now_.places);
@@ -253,7 +260,7 @@ StepReport RodStepper::step(const Rod& rod, const RodForces& forces,
     double h = eps;
     StepReport report;
     if (settings.integrator == Integrator::semi_implicit) {
-        recall(rod, from, curvatures, rates, {});
+        recall(rod, from, curvatures, rates, {}, false);
         aim_semi_implicit(rod, forces, settings.velocity_terms, {from, curvatures, rates},
                           eps);
         const auto& [stiffness, damping, density] = rod.section;
@@ -270,9 +277,9 @@ StepReport RodStepper::step(const Rod& rod, const RodForces& forces,
         if (!report.solved) return report;
         for (int q = 0; q < rod.segments(); ++q) curvatures[q] += change_[q];
     } else {
-        recall(rod, from, curvatures, rates, past);
-        if (settings.integrator == Integrator::bdf2 && past.size >= 2 &&
-            past.eps == eps) {
+        const bool bdf2 = settings.integrator == Integrator::bdf2;
+        recall(rod, from, curvatures, rates, past, bdf2);
+        if (bdf2 && past.size >= 2 && past.eps == eps) {
             h = begin_bdf2(rod, past);
         }
         aim(rod, forces, h);

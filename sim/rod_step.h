@@ -67,7 +67,7 @@ struct StepReport {
 /// The poses of a rod before the one at hand, one step apart, latest first: what
 /// velocities are told by, and all that a restart needs.
 struct RodPast {
-    static constexpr int kMost = 3;
+    static constexpr int kMost = 4;
     int size = 0;    ///< how many of `poses` there are
     double eps = 0;  ///< the step between them, s
     RodPose poses[kMost];
@@ -103,7 +103,8 @@ class RodStepper {
         std::vector<Vec3> joints, joint_velocities;
     };
     void recall(const Rod& rod, const RootMotion& from, std::span<const Vec3> curvatures,
-                std::span<const Vec3> rates, const RodPast& past);
+                std::span<const Vec3> rates, const RodPast& past, bool of_bdf2);
+    void places_of(const Rod& rod, const RodPose& pose, Motion& motion);
     double begin_bdf2(const Rod& rod, const RodPast& past);
     void aim(const Rod& rod, const RodForces& forces, double h);
     void aim_semi_implicit(const Rod& rod, const RodForces& forces, bool velocity_terms,

@@ -73,7 +73,7 @@ TEST(RodStep, AllSolversTakeTheSameStep) {
 constexpr double kRoundOff = 1e-10;
 
 TEST(RodStep, ImplicitEulerNeverGainsEnergy) {
-    // Where an iteration ends matters not: it begins at the old places, and goes down.
+    // Seen, not proved: the energy is not convex in a step.
     for (const double gamma : {1., 10., 50., 200.}) {
         for (const double eps : {0.003, 0.02, 0.1, 0.22}) {
             for (const double damping : {0., 0.05}) {
@@ -95,22 +95,19 @@ TEST(RodStep, ImplicitEulerNeverGainsEnergy) {
 }
 
 /// The drift of an undamped rod's energy, relative, over `time`.
-double energy_drift(double gamma, Integrator integrator, double eps, double time,
-                    bool velocity_terms = true) {
+double energy_drift(double gamma, Integrator integrator, double eps, double time) {
     const HangingRod rod = made_rod(5, gamma, {1, 0, 5});
     ReleaseSettings settings;
     settings.duration = time;
     settings.step = eps;
     settings.stepping = to_round_off(integrator);
-    settings.stepping.velocity_terms = velocity_terms;
     const RodRelease run = release_rod(rod, settings);
     const double depth =
         run.samples.front().total() - rod_equilibrium(rod).energy.total();
     const double drift = run.finished ? run.largest_change / depth
                                       : std::numeric_limits<double>::infinity();
-    fmt::print("gamma {:>3}, integrator {}, eps {:.0e}, to {} s{}: drift {:.2e}\n", gamma,
-               int(integrator), eps, time, velocity_terms ? "" : ", no velocity terms",
-               drift);
+    fmt::print("gamma {:>3}, integrator {}, eps {:.0e}, to {} s: drift {:.2e}\n", gamma,
+               int(integrator), eps, time, drift);
     return drift;
 }
 
@@ -128,18 +125,37 @@ TEST(SlowRodStep, UndampedEnergyStaysBetterAtSmallerSteps) {
     EXPECT_LT(energy_drift(10, Integrator::bdf2, 1e-4, 10), 2e-5);
 }
 
+/// E - E0 of a hanging rod of gamma 50 at t = 0.5, relative, by the semi-implicit step.
+double semi_implicit_error(double eps, bool velocity_terms) {
+    const HangingRod rod = hanging_rod(5, 50, {1, 0, 5});
+    ReleaseSettings settings;
+    settings.duration = 0.5;
+    settings.step = eps;
+    settings.stepping = to_round_off(Integrator::semi_implicit);
+    settings.stepping.velocity_terms = velocity_terms;
+    const RodRelease run = release_rod(rod, settings);
+    EXPECT_TRUE(run.finished);
+    const double first = run.samples.front().total();
+    const double error = (run.samples.back().total() - first) /
+                         (first - rod_equilibrium(rod).energy.total());
+    fmt::print("semi-implicit, eps {:.0e}, {} velocity terms: {:.2e}\n", eps,
+               velocity_terms ? "with" : "without", error);
+    return error;
+}
+
 TEST(RodStep, SemiImplicitStepConvergesWithVelocityTermsOnly) {
-    const auto drift = [](double eps, bool terms) {
-        return energy_drift(50, Integrator::semi_implicit, eps, 0.5, terms);
-    };
-    // First order: three and a third times smaller, within a factor of 1.5.
-    const double coarse = drift(1e-4, true), fine = drift(3e-5, true);
-    EXPECT_NEAR(std::log(coarse / fine), std::log(10. / 3), std::log(1.5));
-    EXPECT_LT(fine, 0.05);
-    // Without them smaller steps make it worse.
-    const double without = drift(1e-4, false);
-    EXPECT_GT(without, 1);
-    EXPECT_GT(drift(3e-5, false), without);
+    // Another program found 0.17, 0.017 with them, to the digits given, and thousands
+    // without them, the more the smaller the step.
+    EXPECT_NEAR(semi_implicit_error(1e-3, true), 0.17, 0.01);
+    EXPECT_NEAR(semi_implicit_error(3e-4, true), 0.017, 0.001);
+    // First order: |E - E0| is below c eps with c = 57 of the two above.
+    EXPECT_LT(std::abs(semi_implicit_error(1e-4, true)), 5.7e-3);
+    double before = 1e3;
+    for (const double eps : {1e-3, 3e-4, 1e-4}) {
+        const double without = semi_implicit_error(eps, false);
+        EXPECT_GT(without, before);
+        before = without;
+    }
 }
 
 TEST(RodStep, UniformlyMovingRootSeesTheSameMotion) {
