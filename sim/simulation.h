@@ -23,7 +23,9 @@ struct SimulationSettings {
     WindSettings wind;
     ContactSettings contact;
     StrandContactSettings strand_contact;
-    StepSettings step;
+    /// Friction converges slowly where much of a strand slips at once; a step that ends
+    /// before that leaves the strand stuck, and what pulls at it draws it into bodies.
+    StepSettings step{.most_iterations = 60};
     int substeps = 4;              ///< of a frame, common to all guides
     bool adaptive = true;          ///< a guide may divide a substep further
     double error_tolerance = 0.5;  ///< cm, of a step's local error at each joint
