@@ -16,14 +16,17 @@ all: deps
 deps:
 	@scripts/install-deps
 
-# The main job on a groom that Lancret makes by itself: a picture and a proof in out/.
+# The main job on a groom that Lancret makes by itself: its guides simulated, pictures of a turn of
+# the head and a proof in out/.
 preview: deps
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret
 	@mkdir -p out
+	$(LANCRET) simulate examples/made_groom.toml --frames 1-24 -o out/cache.h5 --restart --stats out/simulate.json
 	$(LANCRET) preview examples/made_groom.toml -o out/preview.png --stats out/preview.json
-	$(LANCRET) check examples/made_groom.toml --json out/check.json
-	@echo "The picture is out/preview.png, the proof out/check.json."
+	$(LANCRET) preview out/cache.h5 --frames 9-13 --size 320x320 --samples 16 -o out/turn.####.png
+	$(LANCRET) check out/cache.h5 --frames 9-13 --json out/check.json
+	@echo "The pictures are out/preview.png and out/turn.*.png, the proof is out/check.json."
 
 test: deps
 	cmake --preset $(PRESET) -DLANCRET_TESTS=ON

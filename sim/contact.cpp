@@ -13,13 +13,14 @@ namespace {
 /// slide.
 struct Friction {
     double energy = 0, stiffness = 0;  ///< stiffness: force over slide
+    bool slips = false;
 };
 
 Friction friction(double slide, double stiffness, double limit) {
     if (stiffness * slide <= limit) {
-        return {stiffness * slide * slide / 2, stiffness};
+        return {stiffness * slide * slide / 2, stiffness, false};
     }
-    return {limit * (slide - limit / stiffness / 2), limit / slide};
+    return {limit * (slide - limit / stiffness / 2), limit / slide, true};
 }
 
 }  // namespace
@@ -145,8 +146,12 @@ double RodContact::add_to(RodSystem& system, double scale) {
                                                settings_.friction * anchor.pressure);
                 energy += weight * held.energy;
                 force -= weight * held.stiffness * slide;
-                stiffness +=
-                    weight * held.stiffness * (Mat3::Identity() - n * n.transpose());
+                Mat3 across = Mat3::Identity() - n * n.transpose();
+                if (held.slips) {
+                    // The pull of a station that slips only turns as it goes on.
+                    across -= slide * slide.transpose() / slide.squaredNorm();
+                }
+                stiffness += weight * held.stiffness * across;
             }
             system.add(point, scale * stiffness, scale * force);
         }

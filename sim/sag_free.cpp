@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/rod_energy.h"
 #include "sim/rod_system.h"
 
 namespace lancret {
@@ -36,6 +37,31 @@ std::vector<Vec3> sag_free_natural(const Guides& guides, const RodSection& secti
                                           guides.curvatures_of(g), section, gravity);
         std::ranges::copy(one, out.begin() + long(g) * guides.segments);
     });
+    return out;
+}
+
+std::vector<std::size_t> falling_guides(const Guides& guides,
+                                        std::span<const Vec3> natural,
+                                        const RodSection& section, const Vec3& gravity) {
+    const auto n = std::size_t(guides.segments);
+    std::vector<char> falls(guides.size());
+    tbb::parallel_for(std::size_t(0), guides.size(), [&](std::size_t g) {
+        const auto lengths = guides.lengths_of(g);
+        const auto own = natural.subspan(g * n, n);
+        const HangingRod rod{guides.root(g),
+                             {lengths.begin(), lengths.end()},
+                             {own.begin(), own.end()},
+                             section,
+                             gravity};
+        const auto q = Eigen::VectorXd::Map(guides.curvatures_of(g).front().data(),
+                                            Eigen::Index(3 * n));
+        const Eigen::LLT<Eigen::MatrixXd> factor(rod_hessian(rod, q));
+        falls[g] = factor.info() != Eigen::Success;
+    });
+    std::vector<std::size_t> out;
+    for (std::size_t g = 0; g < falls.size(); ++g) {
+        if (falls[g]) out.push_back(g);
+    }
     return out;
 }
 

@@ -19,4 +19,11 @@ std::vector<Vec3> sag_free_natural(const HelixState<double>& root,
 std::vector<Vec3> sag_free_natural(const Guides& guides, const RodSection& section,
                                    const Vec3& gravity);
 
+/// The guides that rest where their energy is not at a minimum: a sag-free start is an
+/// equilibrium, but one that a touch may end, and then the guide falls to another.
+/// `natural` is [guides * segments]. In ascending order.
+std::vector<std::size_t> falling_guides(const Guides& guides,
+                                        std::span<const Vec3> natural,
+                                        const RodSection& section, const Vec3& gravity);
+
 }  // namespace lancret

@@ -40,6 +40,18 @@ std::span<const Vec3> Simulation::natural() const { return state_->natural; }
 std::span<const Vec3> Simulation::rates() const { return state_->rates; }
 std::span<const RootMotion> Simulation::roots() const { return state_->roots; }
 
+const RodSection& Simulation::section() const { return state_->section; }
+
+std::size_t Simulation::guides_in_bodies() const {
+    const std::size_t n = state_->stations();
+    std::size_t out = 0;
+    for (std::size_t g = 0; g < state_->guides.size(); ++g) {
+        const auto depths = std::span(state_->allowed).subspan(g * n, n);
+        out += std::ranges::any_of(depths, [](double depth) { return depth > 0; });
+    }
+    return out;
+}
+
 void Simulation::advance() {
     const double start = state_->frame;
     const int n = state_->settings.substeps;

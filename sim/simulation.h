@@ -72,6 +72,11 @@ class Simulation {
     std::span<const Vec3> rates() const;        ///< q', 1/(cm s)
     std::span<const RootMotion> roots() const;  ///< now
 
+    /// Guides that lie in a body at the start, by the thickness kept or deeper. They are
+    /// let alone so far.
+    std::size_t guides_in_bodies() const;
+    const RodSection& section() const;
+
     /// Moves on by one frame. Allocates nothing once buffers are warm.
     void advance();
     SimulationReport take_report();

@@ -8,6 +8,7 @@
 #include "guides/frame_store.h"
 #include "guides/hash.h"
 #include "guides/obj_file.h"
+#include "sim/sag_free.h"
 #include "tools/command.h"
 #include "tools/frames.h"
 #include "tools/progress.h"
@@ -94,6 +95,20 @@ int simulate_groom(const SimulateOptions& options) {
         source.guides, job.dynamics.simulation,
         simulation_scene(job.dynamics, source, job.groom.scene, options.fps), first);
 
+    const std::size_t falling =
+        job.dynamics.simulation.sag_free
+            ? falling_guides(simulation.guides(), simulation.natural(),
+                             simulation.section(), job.dynamics.simulation.gravity)
+                  .size()
+            : 0;
+    if (falling > 0) {
+        fmt::print(
+            stderr,
+            "lancret: {} of {} guides rest where a touch makes them fall: too soft "
+            "for their shape (see [dynamics])\n",
+            falling, source.guides.size());
+    }
+
     GuideCacheHeader header;
     header.frames_per_second = options.fps;
     header.first_frame = first;
@@ -136,6 +151,8 @@ int simulate_groom(const SimulateOptions& options) {
     stats["frames"] = {{"first", first}, {"last", last}, {"simulated", frames}};
     stats["guides"] = source.guides.size();
     stats["segments"] = source.guides.segments;
+    stats["falling_guides"] = falling;
+    stats["guides_in_bodies"] = simulation.guides_in_bodies();
     stats["seconds"] = {{"load", source.seconds.load},
                         {"fit", source.seconds.fit},
                         {"simulate", seconds}};
