@@ -43,7 +43,7 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
                           FramesCost& cost) {
     CheckTolerances tolerances = options.tolerances;
     tolerances.distance = options.distance.value_or(job.groom.tolerance);
-    const RestPlaces rest = rest_places(generator.binding, generator.source);
+    const RestPlaces rest = prepare_frames(generator, chosen, job);
     FramesReport out;
     ProgressBar bar("check");
     for (const int frame : chosen.frames) {

@@ -32,10 +32,9 @@ int expand_groom(const ExpandOptions& options) {
     if (extension == ".txt") job.groom.expand.basis = CurveBasis::bspline;
     const ChosenFrames chosen = chosen_frames(options.frame, job, false);
     Generator generator = run_generator(job.groom);
+    const RestPlaces rest = prepare_frames(generator, chosen, job);
     generator.profiles =
-        go_to_frame(generator, rest_places(generator.binding, generator.source), chosen,
-                    job, chosen.frames[0])
-            .profiles;
+        go_to_frame(generator, rest, chosen, job, chosen.frames[0]).profiles;
     Stopwatch watch;
     const Curves curves = expand(generator.binding, generator.profiles, job.groom.expand);
     const double seconds = watch.lap();

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "guides/errors.h"
+#include "procedural/emission.h"
 
 namespace lancret {
 
@@ -73,6 +74,36 @@ ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all
     for (std::int64_t f = range.first; f <= range.second; ++f)
         out.frames.push_back(int(f));
     return out;
+}
+
+RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
+                          const Job& job) {
+    const RestPlaces rest = rest_places(generator.binding, generator.source);
+    if (chosen.cache.empty() || chosen.info.frames < 2 || job.groom.intervals) {
+        return rest;
+    }
+    constexpr int kMeasured = 13;
+    const int n = std::min(kMeasured, chosen.info.frames);
+    int intervals = generator.profiles.count;
+    for (int i = 0; i < n; ++i) {
+        const int frame =
+            chosen.info.first_frame + (chosen.info.frames - 1) * i / std::max(n - 1, 1);
+        const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
+        try {
+            intervals = std::max(
+                intervals,
+                intervals_within(generator.binding, state.guides, job.groom.expand.blend,
+                                 job.groom.tolerance, job.groom.expand.basis));
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: frame {}: {}", chosen.cache.string(), frame,
+                                         error.what()));
+        }
+    }
+    pose_binding(generator.binding, rest, RigidPose{});
+    if (intervals != generator.profiles.count) {
+        generator.profiles = guide_profiles<float>(generator.source.guides, intervals);
+    }
+    return rest;
 }
 
 FrameState go_to_frame(Generator& generator, const RestPlaces& rest,

@@ -47,6 +47,13 @@ struct FrameState {
     ScalpPose pose;                 ///< of the scalp
 };
 
+/// What `generator`'s binding is at rest; to be called before any frame. The points of a
+/// strand are the same in all frames, so where a groom does not say how many intervals it
+/// has, they are measured on frames spread over the whole cache too: hair that moves
+/// bends more than hair at rest. Throws InputError.
+RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
+                          const Job& job);
+
 /// Brings `generator`'s binding to a frame of `chosen`. `rest` is what the binding was
 /// before the first frame. Where the job knows no motion, the scalp stays at rest. Throws
 /// InputError.

@@ -101,7 +101,7 @@ int preview(const PreviewOptions& options) {
     if (options.samples) settings.samples = *options.samples;
 
     Generator generator = run_generator(job.groom);
-    const RestPlaces rest = rest_places(generator.binding, generator.source);
+    const RestPlaces rest = prepare_frames(generator, chosen, job);
     const Vec3f up = job.groom.scene.up.cast<float>();
     // The camera looks at the rest pose and stays there, whatever frame is shown.
     const Camera camera = preview_camera(
