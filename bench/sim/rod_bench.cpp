@@ -103,7 +103,7 @@ void step(benchmark::State& state, Integrator integrator, bool velocity_terms,
             past = {};
         }
         if (contact)
-            potential.begin({rod.lengths, anchors, allowed, {}, {}, {}}, 1. / 96);
+            potential.begin({rod.lengths, anchors, allowed, {}, {}, {}, {}}, 1. / 96);
         iterations +=
             stepper
                 .step(rod.rod(), forces, settings, rod.root, rod.root.pose, 1. / 96,

@@ -17,15 +17,12 @@ Simulation shaken_head(bool contact) {
     std::vector<std::uint32_t> all(groom.strands.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::uint32_t(i);
     const Guides guides = fit_guides(groom.strands, all, {}, {}).guides;
-    SimulationScene scene{make_rigid_path({{1, {}, {0, -40, 0}},
-                                           {9, {}, {0, 40, 0}},
-                                           {17, {}, {0, -40, 0}},
-                                           {25, {}, {0, 40, 0}}},
-                                          Vec3::Zero(), 24),
-                          {},
-                          24,
-                          {},
-                          {}};
+    std::vector<PoseKey> shakes(4);
+    for (int i = 0; i < 4; ++i) {
+        shakes[std::size_t(i)].frame = 1 + 8 * i;
+        shakes[std::size_t(i)].rotation.y() = i % 2 ? 40 : -40;
+    }
+    SimulationScene scene{make_rigid_path(shakes, Vec3::Zero(), 24), {}, 24, {}, {}};
     for (std::size_t g = 0; g < guides.size(); ++g) {
         scene.roots.push_back({guides.root(g), {}});
     }

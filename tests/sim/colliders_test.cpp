@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "guides/helix.h"
 #include "tests/guides/meshes.h"
 #include "tests/sim/box_mesh.h"
 
@@ -248,6 +249,37 @@ TEST(Colliders, RejectsWhatIsNoBody) {
     EXPECT_THROW(colliders.move(1, four), std::invalid_argument);
     EXPECT_NEAR(colliders.nearest({0.5, 0.5, 3}, kFar).distance, std::sqrt(9.5) - 1,
                 1e-14);
+}
+
+TEST(Colliders, NoSurfaceMovesFurtherThanTheDrift) {
+    Colliders bodies;
+    EXPECT_EQ(bodies.drift(), 0);
+    const TriangleMesh box = box_mesh({1, 2, 3});
+    bodies.add(box);
+    bodies.add(Capsule{Vec3(1, 0, 0), Vec3(4, 1, 0), 0.5});
+    const auto turned = [](double angle, const Vec3& by) {
+        return RigidPose{helix_step<double>(Vec3(0.3, 0.5, -0.2), angle).rotation, by};
+    };
+    // The first body is what the others are seen from: alone, it never drifts.
+    bodies.move(0, turned(1, Vec3(5, 0, 0)));
+    bodies.move(1, turned(1, Vec3(5, 0, 0)));
+    EXPECT_LT(bodies.drift(), 1e-12);
+    const RigidPose from = turned(1, Vec3(5, 0, 0)), first = turned(1.2, Vec3(5, 1, 0)),
+                    second = turned(0.3, Vec3(4, 0, 2));
+    bodies.move(0, first);
+    bodies.move(1, second);
+    const double drift = bodies.drift();
+    double furthest = 0;
+    for (int i = 0; i <= 20; ++i) {
+        for (const Vec3& out : {Vec3(0, 0.5, 0), Vec3(0, 0, -0.5), Vec3(0, -0.3, 0.4)}) {
+            const Vec3 x = Vec3(1, 0, 0) + i / 20. * Vec3(3, 1, 0) + out;
+            const Vec3 before = inverse_image(from, from * x),
+                       now = inverse_image(first, second * x);
+            furthest = std::max(furthest, (now - before).norm());
+        }
+    }
+    EXPECT_GE(drift, furthest);
+    EXPECT_LT(drift, furthest + 2);  // a bound, not any number: corners reach so much on
 }
 
 }  // namespace

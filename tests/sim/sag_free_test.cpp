@@ -90,5 +90,23 @@ TEST(SagFree, AGroomThatLiesInTheHeadIsLetAlone) {
     EXPECT_LT(drift(guides, {}, true), 3e-8);
 }
 
+TEST(SagFree, GuidesThatWouldFallAreTold) {
+    // A straight hair that stands up buckles at rho S g L^3 / EI = 7.8373 (8 segments:
+    // 7.8745); one that hangs never falls.
+    const RodSection section = rod_section({}, Dissipation::viscoelastic, 0);
+    const double unit = section.stiffness.y() / (section.linear_density * 981);
+    const Vec3 gravity(0, -981, 0), up = Vec3::UnitY();
+    Guides guides;
+    const std::vector<Vec3> straight(8, Vec3::Zero());
+    for (const double gamma : {7.7, 8.0, 30.}) {
+        add_guide(guides, Vec3::Zero(), frame_along(up), std::cbrt(gamma * unit),
+                  straight);
+    }
+    add_guide(guides, Vec3::Zero(), frame_along(-up), std::cbrt(30 * unit), straight);
+    const auto natural = sag_free_natural(guides, section, gravity);
+    EXPECT_EQ(falling_guides(guides, natural, section, gravity),
+              (std::vector<std::size_t>{1, 2}));
+}
+
 }  // namespace
 }  // namespace lancret
