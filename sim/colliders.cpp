@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "guides/coordinates.h"
+#include "guides/helix.h"
 
 namespace lancret {
 
@@ -126,6 +127,23 @@ void Colliders::move(int index, std::span<const Vec3f> positions, const RigidPos
     body.previous = std::exchange(body.pose, pose);
 }
 
+RigidPose Colliders::pose_at(const Body& body, double share) {
+    if (share >= 1) return body.pose;
+    const RigidPose &a = body.previous, &b = body.pose;
+    const Vec3 turn = rotation_log<double>(b.rotation * a.rotation.transpose());
+    RigidPose out{helix_step<double>(turn, share).rotation * a.rotation,
+                  a.translation + share * (b.translation - a.translation)};
+    orthonormalize<double>(out.rotation);
+    return out;
+}
+
+bool Colliders::closed() const {
+    return std::ranges::all_of(bodies_, [](const Body& body) {
+        const auto* mesh = std::get_if<MeshBody>(&body.shape);
+        return !mesh || mesh->distance.closed();
+    });
+}
+
 SurfaceSample Colliders::near(const Body& body, const Vec3& place, double within,
                               double best) {
     if (const auto* capsule = std::get_if<Capsule>(&body.shape)) {
@@ -146,20 +164,22 @@ SurfaceSample Colliders::near(const Body& body, const Vec3& place, double within
     return {found.distance, found.normal, found.point, -1, found.triangle};
 }
 
-SurfaceSample Colliders::nearest(const Vec3& x, double within) const {
+SurfaceSample Colliders::nearest(const Vec3& x, double within, double share) const {
     SurfaceSample best;
+    RigidPose of_best;
     for (int i = 0; i < size(); ++i) {
         const Body& body = bodies_[std::size_t(i)];
+        const RigidPose pose = pose_at(body, share);
         const SurfaceSample found =
-            near(body, inverse_image(body.pose, x), within, best.distance);
+            near(body, inverse_image(pose, x), within, best.distance);
         if (!(found.distance <= within && found.distance < best.distance)) continue;
         best = found;
         best.collider = i;
+        of_best = pose;
     }
     if (best.collider >= 0) {
-        const RigidPose& pose = bodies_[std::size_t(best.collider)].pose;
-        best.normal = pose.rotation * best.normal;
-        best.point = pose * best.point;
+        best.normal = of_best.rotation * best.normal;
+        best.point = of_best * best.point;
     }
     return best;
 }
@@ -169,15 +189,18 @@ std::size_t Colliders::triangles(int index) const {
     return mesh ? mesh->mesh.triangles.size() : 0;
 }
 
-Vec3 Colliders::carried(const SurfaceSample& sample, const Vec3& x) const {
+Vec3 Colliders::carried(const SurfaceSample& sample, const Vec3& x, double from,
+                        double to) const {
     const Body& body = bodies_[std::size_t(sample.collider)];
-    Vec3 place = inverse_image(body.previous, x);
-    if (const auto* mesh = std::get_if<MeshBody>(&body.shape); mesh && mesh->deformed) {
+    Vec3 place = inverse_image(from > 0 ? pose_at(body, from) : body.previous, x);
+    // A mesh has its current form in all of the step but its begin.
+    const auto* mesh = std::get_if<MeshBody>(&body.shape);
+    if (mesh && mesh->deformed && from == 0) {
         const auto& triangle = mesh->mesh.triangles[sample.triangle];
         place = carried_by(plane_of(mesh->previous, triangle),
                            plane_of(mesh->mesh.positions, triangle), place);
     }
-    return body.pose * place;
+    return pose_at(body, to) * place;
 }
 
 double Colliders::drift() const {

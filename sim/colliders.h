@@ -57,7 +57,14 @@ class Colliders {
     /// counts as none. Inside of a closed body it is found at any depth; a mesh with
     /// borders has no inside, and what is behind it is found down to `within` or its
     /// depth, whichever is more.
-    SurfaceSample nearest(const Vec3& x, double within) const;
+    /// `share` in (0, 1] asks for a time between: bodies that turn and move are then that
+    /// share of the way from the previous pose to the current one; a mesh that deforms
+    /// has its current form.
+    SurfaceSample nearest(const Vec3& x, double within, double share = 1) const;
+
+    /// Whether the distance is that of closed bodies alone: nowhere does it change by
+    /// more than a place moves. Round the borders of other meshes it jumps.
+    bool closed() const;
 
     /// The pose of body 0, which others are told apart from (identity without bodies).
     RigidPose reference() const {
@@ -71,7 +78,9 @@ class Colliders {
     /// sticks to the body of `sample` (of whose collider is not -1): it keeps its place
     /// in the body's own space, on a deformed mesh its place in the plane of the sample's
     /// triangle and its height over it.
-    Vec3 carried(const SurfaceSample& sample, const Vec3& x) const;
+    /// `from` and `to` are shares of the way, for times between.
+    Vec3 carried(const SurfaceSample& sample, const Vec3& x, double from = 0,
+                 double to = 1) const;
 
   private:
     /// A mesh in its own space at both times.
@@ -87,6 +96,7 @@ class Colliders {
         std::variant<Capsule, MeshBody> shape;
         RigidPose pose, previous;
     };
+    static RigidPose pose_at(const Body& body, double share);
     static SurfaceSample near(const Body& body, const Vec3& place, double within,
                               double best);
     std::vector<Body> bodies_;

@@ -32,9 +32,11 @@ Penalty penalty(double depth, double stiffness, double regularization) {
     return {k * (d * d / 2 - d * reg / 2 + reg * reg / 6), k * (d - reg / 2), k};
 }
 
-void carry(const Colliders& colliders, std::span<ContactAnchor> anchors) {
+void carry(const Colliders& colliders, std::span<ContactAnchor> anchors, double from,
+           double to) {
     for (ContactAnchor& anchor : anchors) {
-        if (anchor.touches()) anchor.place = colliders.carried(anchor.body, anchor.place);
+        if (!anchor.touches()) continue;
+        anchor.place = colliders.carried(anchor.body, anchor.place, from, to);
     }
 }
 
@@ -42,26 +44,38 @@ RodContact::RodContact(const Colliders& colliders, const ContactSettings& settin
                        const StrandContactSettings& strands)
     : colliders_(colliders), settings_(settings), strands_(strands) {}
 
-void RodContact::begin(const Strand& strand, double eps) {
+void RodContact::begin(const Strand& strand, double eps, double share) {
     strand_ = strand;
-    eps_ = eps;
+    eps_ = share * eps;
+    share_ = share;
+    // Not for times between. Where the distance may jump, as round the borders of an open
+    // mesh, no longer than for this step, so that what happens never hangs on the past.
+    remembers_ = share == 1;
     clear_.assign(strand.clear.empty() ? strand.anchors.size() : 0, {});
     if (strand.clear.empty()) strand_.clear = clear_;
     reference_ = colliders_.reference();
+    if (!colliders_.closed()) std::ranges::fill(strand_.clear, Clearance{});
 }
 
 SurfaceSample RodContact::sample(std::size_t station, const Vec3& place) {
+    const double reach = contact_reach(settings_);
+    if (!remembers_) return colliders_.nearest(place, reach, share_);
     Clearance& clear = strand_.clear[station];
     const Vec3 seen = inverse_image(reference_, place);
     if (clear.distance > 0 &&
         (seen - clear.place).squaredNorm() < clear.distance * clear.distance) {
         return {};
     }
-    const double reach = contact_reach(settings_);
     const SurfaceSample found = colliders_.nearest(place, reach);
     // A little less, so that round-off never hides a touch.
     clear = {seen, std::min(found.distance, reach) - settings_.thickness - 1e-9};
     return found;
+}
+
+double RodContact::allowance(std::size_t station, const SurfaceSample& body) const {
+    const bool other = !strand_.allowed_bodies.empty() &&
+                       strand_.allowed_bodies[station] != body.collider;
+    return other ? 0 : strand_.allowed[station];
 }
 
 double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& point,
@@ -69,7 +83,7 @@ double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& poin
     double energy = 0;
     for (int i = 0; i < strand_.near_counts[station]; ++i) {
         const StrandNear& other = strand_.near[station * kMostNear + std::size_t(i)];
-        const Vec3 away = point.place - other.place;
+        const Vec3 away = point.place - (other.place - (1 - share_) * other.move);
         const double distance = away.norm(), w = weight * other.share;
         const double reach = 2 * strands_.radius;
         if (distance < 1e-9) continue;  // no direction to part in
@@ -101,7 +115,7 @@ double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& poin
             near * w / eps_ *
             (strands_.friction_across * Mat3::Identity() +
              (strands_.friction_along - strands_.friction_across) * t * t.transpose());
-        const Vec3 slide = point.place - strand_.places[station] - other.move;
+        const Vec3 slide = point.place - strand_.places[station] - share_ * other.move;
         energy += slide.dot(drag * slide) / 2;
         force -= drag * slide;
         stiffness += drag;
@@ -130,7 +144,7 @@ double RodContact::add_to(RodSystem& system, double scale) {
             if (free) continue;
             const SurfaceSample body = sample(station, point.place);
             const double depth =
-                settings_.thickness - strand_.allowed[station] - body.distance;
+                settings_.thickness - allowance(station, body) - body.distance;
             if (!(depth > 0)) continue;
             const Penalty push =
                 penalty(depth, settings_.stiffness, settings_.regularization);
@@ -172,7 +186,7 @@ double RodContact::end(const RodSystem& system) {
             const bool free = start + u < settings_.free_root || colliders_.size() == 0;
             const Vec3 place = free ? Vec3::Zero() : system.point(q, u).place;
             const SurfaceSample body = free ? SurfaceSample{} : sample(station, place);
-            const double allowed = strand_.allowed[station];
+            const double allowed = allowance(station, body);
             const double depth = settings_.thickness - allowed - body.distance;
             if (!(depth > 0)) {
                 anchor = {};

@@ -45,9 +45,10 @@ struct ContactAnchor {
     bool touches() const { return body.collider >= 0; }
 };
 
-/// Takes anchors along with the bodies that they are on, from the previous time to the
-/// current one.
-void carry(const Colliders& colliders, std::span<ContactAnchor> anchors);
+/// Takes anchors along with the bodies that they are on; `from` and `to` are shares of
+/// the way from the bodies' previous time to the current one.
+void carry(const Colliders& colliders, std::span<ContactAnchor> anchors, double from = 0,
+           double to = 1);
 
 /// How strands feel each other.
 struct StrandContactSettings {
@@ -89,16 +90,19 @@ class RodContact : public RodPotential {
         std::span<const StrandNear> near;
         std::span<const std::uint8_t> near_counts;
         /// One a station, kept from step to step and lessened by Colliders::drift(); or
-        /// empty, and then forgotten at each begin.
-        std::span<Clearance> clear;
+        /// empty, and then forgotten at each begin, as with a mesh that has borders.
+        std::span<Clearance> clear{};
+        /// The body that each of `allowed` is told of; empty: all.
+        std::span<const int> allowed_bodies{};
     };
     static constexpr int kMostNear = 4;
 
     RodContact(const Colliders& colliders, const ContactSettings& settings,
                const StrandContactSettings& strands);
 
-    /// Begins a step of `eps` seconds.
-    void begin(const Strand& strand, double eps);
+    /// Begins a step that ends at a share of the way from the bodies' previous time to
+    /// the current one, which lie `eps` seconds apart.
+    void begin(const Strand& strand, double eps, double share = 1);
 
     double add_to(RodSystem& system, double scale) override;
 
@@ -109,6 +113,7 @@ class RodContact : public RodPotential {
 
   private:
     SurfaceSample sample(std::size_t station, const Vec3& place);
+    double allowance(std::size_t station, const SurfaceSample& body) const;
     double strand_energy(RodSystem& system, const RodSystem::Point& point,
                          std::size_t station, double weight, double scale) const;
 
@@ -116,7 +121,8 @@ class RodContact : public RodPotential {
     const ContactSettings& settings_;
     const StrandContactSettings& strands_;
     Strand strand_;
-    double eps_ = 0;
+    double eps_ = 0, share_ = 1;
+    bool remembers_ = false;
     RigidPose reference_;
     std::vector<Clearance> clear_;
 };

@@ -276,6 +276,7 @@ StepReport RodStepper::step(const Rod& rod, const RodForces& forces,
         report.solved = last_solve_.solved && is_finite(change_);
         if (!report.solved) return report;
         for (int q = 0; q < rod.segments(); ++q) curvatures[q] += change_[q];
+        system_.linearize(to, rod.lengths, curvatures, layout_, targets_, weight_);
     } else {
         const bool bdf2 = settings.integrator == Integrator::bdf2;
         recall(rod, from, curvatures, rates, past, bdf2);

@@ -55,9 +55,9 @@ std::size_t Simulation::guides_in_bodies() const {
 void Simulation::advance() {
     const double start = state_->frame;
     const int n = state_->settings.substeps;
-    for (int k = 0; k < n; ++k) {
-        state_->substep(start + double(k) / n, start + double(k + 1) / n);
-    }
+    // One number for all steps: by differences of frames they would not be quite equal.
+    const double eps = 1 / (state_->scene.frames_per_second * n);
+    for (int k = 0; k < n; ++k) state_->substep(start + double(k + 1) / n, eps);
 }
 
 SimulationReport Simulation::take_report() {

@@ -14,6 +14,9 @@
 
 namespace lancret {
 
+/// Raised whenever the same settings come to give other frames.
+inline constexpr int kSimulationMethod = 1;
+
 struct SimulationSettings {
     RodMaterial material;
     Dissipation dissipation = Dissipation::viscoelastic;

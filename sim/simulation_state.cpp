@@ -15,13 +15,19 @@ namespace lancret {
 
 namespace {
 
-/// The pose a share of the way from one to another, at constant velocity.
-HelixState<double> between(const HelixState<double>& a, const HelixState<double>& b,
-                           double share) {
-    const Vec3 turn = rotation_log<double>(b.frame * a.frame.transpose());
-    HelixState<double> out{helix_step<double>(turn, share).rotation * a.frame,
-                           a.position + share * (b.position - a.position)};
-    orthonormalize<double>(out.frame);
+/// The motion a share of the way from one to another, at constant velocity between.
+RootMotion between(const RootMotion& a, const RootMotion& b, double share) {
+    if (share >= 1) return b;
+    const Vec3 turn = rotation_log<double>(b.pose.frame * a.pose.frame.transpose());
+    const auto mix = [&](const Vec3& x, const Vec3& y) { return x + share * (y - x); };
+    RootMotion out;
+    out.pose.frame = helix_step<double>(turn, share).rotation * a.pose.frame;
+    orthonormalize<double>(out.pose.frame);
+    out.pose.position = mix(a.pose.position, b.pose.position);
+    out.velocity = mix(a.velocity, b.velocity);
+    out.angular_velocity = mix(a.angular_velocity, b.angular_velocity);
+    out.acceleration = mix(a.acceleration, b.acceleration);
+    out.angular_acceleration = mix(a.angular_acceleration, b.angular_acceleration);
     return out;
 }
 
@@ -91,6 +97,7 @@ Simulation::State::State(const Guides& rest, SimulationSettings s, SimulationSce
     halvings.assign(guides.size(), 0);
     anchors.resize(guides.size() * stations());
     allowed.assign(anchors.size(), 0);
+    allowed_bodies.assign(anchors.size(), -1);
     clear.resize(anchors.size());
     roots.resize(guides.size());
     next_roots.resize(guides.size());
@@ -138,10 +145,11 @@ void Simulation::State::measure_groom() {
             start += l;
         }
         sample(super_helix(guides, g), s, [&](std::size_t i, auto, const auto& state) {
-            const double distance =
-                scene.colliders.nearest(state.position, contact_reach(settings.contact))
-                    .distance;
-            allowed[g * stations() + i] = std::max(0., thickness - distance);
+            const SurfaceSample body =
+                scene.colliders.nearest(state.position, contact_reach(settings.contact));
+            if (s[i] < settings.contact.free_root || body.distance >= thickness) return;
+            allowed[g * stations() + i] = thickness - body.distance;
+            allowed_bodies[g * stations() + i] = body.collider;
         });
     });
 }
@@ -164,12 +172,11 @@ void Simulation::State::advance_guide(std::size_t g, double eps, double time,
     strand.clear = std::span(clear).subspan(g * n, n);
     for (Clearance& c : strand.clear) c.distance -= drift;
     const bool contact = scene.colliders.size() > 0 || strands_touch();
-    carry(scene.colliders, strand.anchors);
+    strand.allowed_bodies = std::span(allowed_bodies).subspan(g * n, n);
+    double now = 0;  // s, at the end of the part at hand
     RodForces forces{settings.gravity, settings.drag, {}};
     if (settings.wind.mean != Vec3::Zero() || !wind.waves.empty()) {
-        forces.wind = [this, time](const Vec3& x) {
-            return wind_velocity(wind, x, time);
-        };
+        forces.wind = [this, &now](const Vec3& x) { return wind_velocity(wind, x, now); };
     }
 
     // Parts of the substep are counted in the smallest that there may be.
@@ -178,19 +185,21 @@ void Simulation::State::advance_guide(std::size_t g, double eps, double time,
     int& level = halvings[g];
     level = std::min(level, most);
     RootMotion from = roots[g];
+    double carried = 0;  // how far the anchors have gone with their bodies
     for (int done = 0; done < parts;) {
         const int part = parts >> level;
         const double step = eps / (1 << level);
-        const HelixState<double> to =
-            done + part == parts
-                ? next_roots[g].pose
-                : between(roots[g].pose, next_roots[g].pose, double(done + part) / parts);
+        const double share = double(done + part) / parts;
+        const RootMotion to = between(roots[g], next_roots[g], share);
+        now = time - (1 - share) * eps;
         worker.curvatures.assign(q.begin(), q.end());
         worker.rates.assign(rate.begin(), rate.end());
         worker.past = pasts[g];
-        if (contact) worker.contact.begin(strand, step);
+        carry(scene.colliders, strand.anchors, carried, share);
+        carried = share;
+        if (contact) worker.contact.begin(strand, eps, share);
         const StepReport report =
-            worker.stepper.step(rod, forces, settings.step, from, to, step, q, rate,
+            worker.stepper.step(rod, forces, settings.step, from, to.pose, step, q, rate,
                                 pasts[g], contact ? &worker.contact : nullptr);
         const bool fine = report.solved && std::isfinite(report.local_error) &&
                           report.local_error <= settings.error_tolerance;
@@ -217,7 +226,7 @@ void Simulation::State::advance_guide(std::size_t g, double eps, double time,
             pasts[g].size = 0;
         }
         done += part;
-        from.pose = to;
+        from = to;
         // The error goes with the square of the step: twice the step has four times it.
         if (level > 0 && report.local_error < settings.error_tolerance / 8 &&
             done % (2 * part) == 0) {
@@ -228,8 +237,7 @@ void Simulation::State::advance_guide(std::size_t g, double eps, double time,
     guides.root_frames[g] = next_roots[g].pose.frame;
 }
 
-void Simulation::State::substep(double from, double to) {
-    const double eps = (to - from) / scene.frames_per_second;
+void Simulation::State::substep(double to, double eps) {
     if (strands_touch()) {
         neighbours.find(guides, pasts, settings.strand_contact.radius,
                         settings.contact.stations, eps);

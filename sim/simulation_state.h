@@ -30,7 +30,8 @@ struct Simulation::State {
     std::vector<int> halvings;  ///< [guides], of a substep, as last taken
     std::vector<ContactAnchor> anchors;
     std::vector<double> allowed;
-    std::vector<Clearance> clear;  ///< of each station; what it says is never needed
+    std::vector<int> allowed_bodies;  ///< of each station, -1 where none
+    std::vector<Clearance> clear;     ///< of each station; what it says is never needed
     StrandNeighbours neighbours;
     tbb::enumerable_thread_specific<SimulationWorker> workers;
     Guides initial;
@@ -53,7 +54,7 @@ struct Simulation::State {
     void move_roots(double to, std::vector<RootMotion>& out) const;
     void stand(double at);
     void measure_groom();
-    void substep(double from, double to);
+    void substep(double to, double eps);
     void advance_guide(std::size_t g, double eps, double time, double drift,
                        SimulationWorker& worker);
 };

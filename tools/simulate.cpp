@@ -71,9 +71,24 @@ std::string job_text(const SimulateOptions& options, const Job& job,
         if (file) print.add(read_obj(*file));
     }
     print.add(std::span<const char>(job.settings_text));
-    return fmt::format("{}, from frame {} at {} fps, {} substeps, contents {:016x}",
-                       job.groom.name, first, options.fps,
-                       job.dynamics.simulation.substeps, print.value());
+    // Files of a sequence by what they were last written: reading them all would take as
+    // long as the frames.
+    const ObjSequence& files = job.dynamics.motion.files;
+    for (int frame = files.first; !files.pattern.empty() && frame <= files.last;
+         ++frame) {
+        std::error_code missing;  // is told when the frame is read
+        const auto file = frame_path(files.pattern, frame);
+        const std::uint64_t written[] = {
+            std::uint64_t(std::filesystem::file_size(file, missing)),
+            std::uint64_t(std::filesystem::last_write_time(file, missing)
+                              .time_since_epoch()
+                              .count())};
+        print.add(std::span<const std::uint64_t>(written));
+    }
+    return fmt::format(
+        "{}, from frame {} at {} fps, {} substeps, method {}, contents {:016x}",
+        job.groom.name, first, options.fps, job.dynamics.simulation.substeps,
+        kSimulationMethod, print.value());
 }
 
 int simulate_groom(const SimulateOptions& options) {
@@ -148,7 +163,8 @@ int simulate_groom(const SimulateOptions& options) {
 
     const std::size_t frames = std::size_t(std::max(last - begun, 0));
     nlohmann::json stats;
-    stats["frames"] = {{"first", first}, {"last", last}, {"simulated", frames}};
+    stats["frames"] = {
+        {"first", first}, {"last", std::max(last, begun)}, {"simulated", frames}};
     stats["guides"] = source.guides.size();
     stats["segments"] = source.guides.segments;
     stats["falling_guides"] = falling;
@@ -164,15 +180,22 @@ int simulate_groom(const SimulateOptions& options) {
     stats["deepest_penetration_cm"] = deepest;
     stats["deepest_penetration_frame"] = deepest_frame;
     write_stats(options.groom.stats, std::move(stats));
+    std::string troubles;
+    if (total.unsolved) troubles += fmt::format("; {} steps failed", total.unsolved);
+    // A few that end a little above the tolerance are of no account.
+    if (total.unconverged > total.steps / 100) {
+        troubles += fmt::format("; {:.1f} % of steps did not converge",
+                                100. * double(total.unconverged) / double(total.steps));
+    }
     fmt::print(
         "{}: {} guides of {} segments, frames {}-{}; {} simulated in {:.2f} s{}; deepest "
-        "penetration {:.4f} cm{}\n",
-        options.output, source.guides.size(), source.guides.segments, first, last, frames,
-        seconds,
+        "penetration in them {:.4f} cm{}\n",
+        options.output, source.guides.size(), source.guides.segments, first,
+        std::max(last, begun), frames, seconds,
         total.steps ? fmt::format(" ({:.1f} us a guide's step, all threads)",
                                   seconds * 1e6 / double(total.steps))
                     : "",
-        deepest, total.unsolved ? fmt::format("; {} steps failed", total.unsolved) : "");
+        deepest, troubles);
     return kFine;
 }
 
