@@ -1,3 +1,4 @@
+#pragma once
 // The recursion along a rod for the registers that LANCRET_SIMD names: a vector is one
 // Lanes whose last number is of no account, a matrix three columns. Included by
 // segment_loops_code.h alone.

@@ -1,3 +1,4 @@
+#pragma once
 // The loops of segment_loops.h for the registers that LANCRET_SIMD names. Included by
 // segment_loops_*.cpp alone.
 

@@ -116,6 +116,12 @@ int simulate_groom(const SimulateOptions& options) {
                              simulation.section(), job.dynamics.simulation.gravity)
                   .size()
             : 0;
+    GuideCacheHeader header;
+    header.frames_per_second = options.fps;
+    header.first_frame = first;
+    header.groom = std::filesystem::absolute(job.groom.name).lexically_normal().string();
+    FrameStore store(options.output, header, job_text(options, job, source, first),
+                     source.guides, options.restart);
     if (falling > 0) {
         fmt::print(
             stderr,
@@ -123,13 +129,6 @@ int simulate_groom(const SimulateOptions& options) {
             "for their shape (see [dynamics])\n",
             falling, source.guides.size());
     }
-
-    GuideCacheHeader header;
-    header.frames_per_second = options.fps;
-    header.first_frame = first;
-    header.groom = std::filesystem::absolute(job.groom.name).lexically_normal().string();
-    FrameStore store(options.output, header, job_text(options, job, source, first),
-                     source.guides, options.restart);
     if (store.frames_done() > 0) {
         const LastFrame at = store.last();
         fmt::print(stderr, "lancret: goes on after frame {}\n", at.number);
