@@ -11,6 +11,12 @@ namespace lancret {
 
 namespace {
 
+void check(bool fine, const char* what) {
+    if (!fine) throw std::invalid_argument(std::string("Simulation: ") + what);
+}
+
+}  // namespace
+
 void add(SimulationReport& to, const SimulationReport& from) {
     to.steps += from.steps;
     to.iterations += from.iterations;
@@ -19,12 +25,6 @@ void add(SimulationReport& to, const SimulationReport& from) {
     to.deepest = std::max(to.deepest, from.deepest);
     to.largest_error = std::max(to.largest_error, from.largest_error);
 }
-
-void check(bool fine, const char* what) {
-    if (!fine) throw std::invalid_argument(std::string("Simulation: ") + what);
-}
-
-}  // namespace
 
 Simulation::Simulation(const Guides& rest, SimulationSettings settings,
                        SimulationScene scene, double frame)

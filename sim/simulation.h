@@ -56,6 +56,9 @@ struct SimulationReport {
     double largest_error = 0;     ///< cm, local, of a step that was taken
 };
 
+/// Takes `from` into `to`: sums, and the largest of what is largest.
+void add(SimulationReport& to, const SimulationReport& from);
+
 /// A simulation at one time. Deterministic: the same bits for any number of threads.
 class Simulation {
   public:
@@ -80,7 +83,8 @@ class Simulation {
     std::size_t guides_in_bodies() const;
     const RodSection& section() const;
 
-    /// Moves on by one frame. Allocates nothing once buffers are warm.
+    /// Moves on by one frame. Allocates nothing once buffers are warm, but
+    /// for a head that deforms: its mesh is read and its tree built anew.
     void advance();
     SimulationReport take_report();
 

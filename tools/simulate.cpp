@@ -146,11 +146,7 @@ int simulate_groom(const SimulateOptions& options) {
         simulation.advance();
         store.add(simulation.guides(), simulation.restart());
         const SimulationReport report = simulation.take_report();
-        total.steps += report.steps;
-        total.iterations += report.iterations;
-        total.unconverged += report.unconverged;
-        total.unsolved += report.unsolved;
-        total.largest_error = std::max(total.largest_error, report.largest_error);
+        add(total, report);
         if (report.deepest > deepest) {
             deepest = report.deepest;
             deepest_frame = frame + 1;
