@@ -47,7 +47,8 @@ Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals
                 tree.nearest(x, {near.data(), k + 1}, {squared.data(), k + 1});
             for (std::size_t j = 0; j < found; ++j) {
                 distance[j] = std::sqrt(squared[j]);
-                facing[j] = up.dot(guides.root_frames[near[j]].col(0));
+                facing[j] =
+                    settings.facing ? up.dot(guides.root_frames[near[j]].col(0)) : 1.0;
             }
             const double reach =
                 found > k ? distance[k] : std::numeric_limits<double>::infinity();

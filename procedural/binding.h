@@ -15,6 +15,7 @@ struct BindSettings {
     int neighbours = 4;      ///< guides a child, 1 to kMaxNeighbours
     double exponent = 2;     ///< a of |x - x_k|^-a [TW99, Sec. 4.3], >= 0
     float length_scale = 1;  ///< a child's length over the weighted length of its guides
+    bool facing = true;  ///< the factor (S.T_k) H(S.T_k); false where no normal is known
 };
 
 /// What binding had to work around, by name.
