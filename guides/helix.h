@@ -125,6 +125,14 @@ Vec3T<T> rotation_log(const Mat3T<T>& rotation) {
     return q.vec() * (2 * std::atan2(sine, q.w()) / sine);
 }
 
+/// Where the helix of length `ds` (cm) goes that begins with the frame `from`, ends with
+/// `to`, and turns by less than half a turn: in `from`, cm.
+template <class T>
+Vec3T<T> displacement_between(const Mat3T<T>& from, const Mat3T<T>& to, T ds) {
+    const Mat3T<T> turn = from.transpose() * to;
+    return helix_step<T>(rotation_log<T>(turn) / ds, ds).displacement;
+}
+
 /// How a step answers to its Darboux vector: the derivative of helix_step with respect to
 /// (k0, k1, k2), all in the frame at the start of the step.
 struct HelixStepDerivative {

@@ -20,8 +20,20 @@ std::optional<Blend> blend_named(std::string_view name) {
 template <class T>
 BlendFunction<T> blend_function(Blend blend) {
     switch (blend) {
+        case Blend::detail:
+            return blend_detail<T>;
         case Blend::option1:
             return blend_option1<T>;
+        case Blend::option1_anchored:
+            return blend_option1_anchored<T>;
+        case Blend::option2:
+            return blend_option2<T>;
+        case Blend::option3:
+            return blend_option3<T>;
+        case Blend::bishop:
+            return blend_bishop<T>;
+        case Blend::nearest:
+            return blend_nearest<T>;
         case Blend::position:
             return blend_position<T>;
     }

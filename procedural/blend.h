@@ -15,7 +15,13 @@ inline constexpr int kMaxNeighbours = 8;
 
 /// What is blended; each has its own blend_*.cpp.
 enum class Blend {
-    option1,   ///< curvature, torsion and root frame [TW99, Sec. 4.3, option 1]
+    detail,            ///< the guides' spine, the dominant guide's curvature and torsion
+    option1,           ///< curvature, torsion and root frame [TW99, Sec. 4.3, option 1]
+    option1_anchored,  ///< the same, turned onto the guides' spine
+    option2,           ///< frames along the strand [TW99, Sec. 4.3, option 2]
+    option3,           ///< places from the root frame [TW99, Sec. 4.3, option 3]
+    bishop,            ///< bending in rotation-minimising frames
+    nearest,           ///< the dominant guide alone: for comparison
     position,  ///< positions from the root, as other generators do: for comparison
 };
 
@@ -23,7 +29,13 @@ struct BlendName {
     Blend blend;
     std::string_view name;
 };
-inline constexpr BlendName kBlendNames[] = {{Blend::option1, "option1"},
+inline constexpr BlendName kBlendNames[] = {{Blend::detail, "detail"},
+                                            {Blend::option1, "option1"},
+                                            {Blend::option1_anchored, "option1-anchored"},
+                                            {Blend::option2, "option2"},
+                                            {Blend::option3, "option3"},
+                                            {Blend::bishop, "bishop"},
+                                            {Blend::nearest, "nearest"},
                                             {Blend::position, "position"}};
 
 std::string_view blend_name(Blend blend);
@@ -50,7 +62,25 @@ template <class T>
 BlendFunction<T> blend_function(Blend blend);
 
 template <class T>
+void blend_detail(const Child<T>& child, const GuideProfiles<T>& guides,
+                  std::span<HelixState<T>> states);
+template <class T>
 void blend_option1(const Child<T>& child, const GuideProfiles<T>& guides,
+                   std::span<HelixState<T>> states);
+template <class T>
+void blend_option1_anchored(const Child<T>& child, const GuideProfiles<T>& guides,
+                            std::span<HelixState<T>> states);
+template <class T>
+void blend_option2(const Child<T>& child, const GuideProfiles<T>& guides,
+                   std::span<HelixState<T>> states);
+template <class T>
+void blend_option3(const Child<T>& child, const GuideProfiles<T>& guides,
+                   std::span<HelixState<T>> states);
+template <class T>
+void blend_bishop(const Child<T>& child, const GuideProfiles<T>& guides,
+                  std::span<HelixState<T>> states);
+template <class T>
+void blend_nearest(const Child<T>& child, const GuideProfiles<T>& guides,
                    std::span<HelixState<T>> states);
 template <class T>
 void blend_position(const Child<T>& child, const GuideProfiles<T>& guides,

@@ -116,10 +116,9 @@ template <class T>
 Angle<T> turned_at_joint(const Angle<T>& angle, const Child<T>& child,
                          const GuideProfiles<T>& guides, const Row<T>& before,
                          const Row<T>& after, std::size_t place) {
-    const std::size_t places = guides.count + 1;
     const Vec3T<T> tangent =
-        mean_direction(child, in_space(child, [&](std::size_t k) -> const Vec3T<T>& {
-                           return guides.tangents[child.guides[k] * places + place];
+        mean_direction(child, in_space(child, [&](std::size_t k) -> Vec3T<T> {
+                           return guides.tangent(child.guides[k], place);
                        }));
     const Vec3T<T> from =
         bend_of(child, before, &ProfileInterval<T>::normal_after, tangent);

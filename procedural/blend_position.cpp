@@ -22,8 +22,8 @@ void blend_position(const Child<T>& child, const GuideProfiles<T>& guides,
         for (std::size_t k = 0; k < child.guides.size(); ++k) {
             const std::size_t g = child.guides[k];
             const Mat3T<T> weighted = child.weights[k] * guides.root_frames[g];
-            state.position += scale * (weighted * guides.positions[g * places + i]);
-            tangent += weighted * guides.tangents[g * places + i];
+            state.position += scale * (weighted * guides.position(g, i));
+            tangent += weighted * guides.tangent(g, i);
         }
         // The frame is carried from place to place by the smallest rotation.
         const Mat3T<T> before =

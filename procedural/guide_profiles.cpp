@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "guides/super_helix.h"
 
@@ -75,6 +76,29 @@ Walk walk(const Guides& guides, std::size_t g, int count) {
     return out;
 }
 
+/// The Darboux vectors in the rotation-minimising frame: the carried frame, turned back
+/// about the tangent by its twist so far.
+std::vector<Vec3> bishop_vectors(const Walk& path, double ds) {
+    std::vector<Vec3> out;
+    double twist = 0;
+    const auto frame = [&](std::size_t place) -> Mat3 {
+        return path.states[2 * place].frame * Eigen::AngleAxisd(-twist, Vec3::UnitX());
+    };
+    for (std::size_t i = 0; i < path.u.size(); ++i) {
+        const Mat3 before = frame(i);
+        twist += path.u[i].x() * ds;
+        out.push_back(rotation_log<double>(before.transpose() * frame(i + 1)) / ds);
+    }
+    return out;
+}
+
+/// How often the tangent turns round, were it to turn always the same way.
+double turns_of(const std::vector<Vec3>& u, double ds) {
+    double angle = 0;
+    for (const Vec3& k : u) angle += std::hypot(k.y(), k.z()) * ds;
+    return angle / (2 * std::numbers::pi);
+}
+
 }  // namespace
 
 template <class T>
@@ -86,7 +110,12 @@ GuideProfiles<T> guide_profiles(const Guides& guides, int count) {
     out.root_frames.resize(size);
     out.lengths.resize(size);
     out.positions.resize(size * (n + 1));
-    out.tangents.resize(size * (n + 1));
+    out.frames.resize(size * (n + 1));
+    out.curvatures.resize(size * n);
+    out.bishop.resize(size * n);
+    out.basis = spine_basis<T>(count);
+    out.spines.resize(size);
+    out.advances.resize(size * (n + 1));
     tbb::parallel_for(std::size_t(0), size, [&](std::size_t g) {
         const Walk path = walk(guides, g, count);
         const double length = guide_length(guides, g);
@@ -99,6 +128,7 @@ GuideProfiles<T> guide_profiles(const Guides& guides, int count) {
                     .template cast<T>();
             };
             const Vec3& u = path.u[i];
+            out.curvatures[g * n + i] = u.template cast<T>();
             out.intervals[g * n + i] = {T(std::hypot(u.y(), u.z())),
                                         T(u.x()),
                                         path.states[2 * i + 1].frame.col(0).cast<T>(),
@@ -108,7 +138,21 @@ GuideProfiles<T> guide_profiles(const Guides& guides, int count) {
         }
         for (std::size_t i = 0; i <= n; ++i) {
             out.positions[g * (n + 1) + i] = path.states[2 * i].position.cast<T>();
-            out.tangents[g * (n + 1) + i] = path.states[2 * i].frame.col(0).cast<T>();
+            out.frames[g * (n + 1) + i] = path.states[2 * i].frame.cast<T>();
+        }
+        const std::vector<Vec3> bishop = bishop_vectors(path, length / count);
+        for (std::size_t i = 0; i < n; ++i) {
+            out.bishop[g * n + i] = bishop[i].template cast<T>();
+        }
+        Spine<T>& spine = out.spines[g];
+        spine = spine_of<T>(out.basis, T(length), [&](std::size_t i) -> const Vec3T<T>& {
+            return out.position(g, i);
+        });
+        spine.turns = T(turns_of(path.u, length / count));
+        const std::array<T, kSpineTerms> taper = spine_taper(spine.turns);
+        for (std::size_t i = 0; i <= n; ++i) {
+            out.advances[g * (n + 1) + i] =
+                std::min<T>(1, spine_at(spine, taper, out.basis.at_places[i]).norm());
         }
         out.root_frames[g] = guides.root_frames[g].cast<T>();
         out.lengths[g] = T(length);

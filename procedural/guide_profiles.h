@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "guides/guides.h"
+#include "procedural/spine.h"
 
 namespace lancret {
 
@@ -34,9 +35,23 @@ struct GuideProfiles {
     std::vector<Mat3T<T>> root_frames;  ///< [guides], in space
     std::vector<T> lengths;             ///< [guides], cm
     std::vector<Vec3T<T>> positions;    ///< from the root, in the root frame, cm
-    std::vector<Vec3T<T>> tangents;     ///< in the root frame
+    std::vector<Mat3T<T>> frames;       ///< in the root frame, n0 the tangent
+    std::vector<Vec3T<T>> curvatures;   ///< of intervals: Darboux vector in `frames`
+    std::vector<Vec3T<T>> bishop;  ///< of intervals: the same in the rotation-minimising
+                                   ///< frame that starts as the root frame
+    SpineBasis<T> basis;           ///< for `count` intervals
+    std::vector<Spine<T>> spines;  ///< [guides], in the root frame
+    std::vector<T> advances;       ///< |spine| of guides at places
 
     std::size_t size() const { return lengths.size(); }
+    const Vec3T<T>& position(std::size_t g, std::size_t i) const {
+        return positions[g * (count + 1) + i];
+    }
+    const Mat3T<T>& frame(std::size_t g, std::size_t i) const {
+        return frames[g * (count + 1) + i];
+    }
+    /// n0 of a guide at a place, in its root frame.
+    auto tangent(std::size_t g, std::size_t i) const { return frame(g, i).col(0); }
 };
 
 /// The profiles of `guides` on `count` intervals. Where the guides' joints lie on the

@@ -32,7 +32,7 @@ TEST(GuideProfiles, PlacesAndTangentsAreThoseOfTheGuide) {
                            exact.position)
                               .norm(),
                           1e-12 * length);
-                EXPECT_LT((frame * profiles.tangents[at] - exact.frame.col(0)).norm(),
+                EXPECT_LT((frame * profiles.tangent(g, i) - exact.frame.col(0)).norm(),
                           1e-12);
             }
         }

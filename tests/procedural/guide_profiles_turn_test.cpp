@@ -28,10 +28,8 @@ TEST(GuideProfileTurns, NormalsAreUnitAndAcrossTheTangent) {
         for (int i = 0; i < 12; ++i) {
             const auto& interval = profiles.intervals[g * 12 + i];
             EXPECT_NEAR(interval.normal.dot(interval.tangent), 0, 1e-12);
-            EXPECT_NEAR(interval.normal_before.dot(profiles.tangents[g * 13 + i]), 0,
-                        1e-12);
-            EXPECT_NEAR(interval.normal_after.dot(profiles.tangents[g * 13 + i + 1]), 0,
-                        1e-12);
+            EXPECT_NEAR(interval.normal_before.dot(profiles.tangent(g, i)), 0, 1e-12);
+            EXPECT_NEAR(interval.normal_after.dot(profiles.tangent(g, i + 1)), 0, 1e-12);
             EXPECT_NEAR(interval.normal_after.norm(), 1, 1e-12);
         }
     }
