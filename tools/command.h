@@ -68,6 +68,7 @@ std::pair<int, int> parse_size(const std::string& text);
 void add_preview(CLI::App& app, int& exit_code);
 void add_expand(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
+void add_evaluate(CLI::App& app, int& exit_code);
 void add_fit(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
