@@ -151,8 +151,8 @@ LeaveOut leave_out(const Strands& strands, const Scalp* scalp,
     BindSettings bind_settings = settings.bind;
     bind_settings.length_scale = 1;
     if (!scalp) bind_settings.facing = false;
-    out.binding = bind(std::move(stand), out.guides, std::move(guide_surface.normals),
-                       bind_settings);
+    out.binding = lancret::bind(std::move(stand), out.guides,
+                                std::move(guide_surface.normals), bind_settings);
     return out;
 }
 

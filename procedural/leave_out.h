@@ -17,9 +17,9 @@ inline constexpr int kCompareSteps = 64;
 
 struct LeaveOutSettings {
     GuideCount guides{.share = 0.05};
-    std::optional<int> segments;  ///< a guide is fitted so; none: read as finely as it
-                                  ///< takes to keep its shape
-    BindSettings bind;
+    std::optional<int> segments = {};  ///< a guide is fitted so; none: read as finely as
+                                       ///< it takes to keep its shape
+    BindSettings bind = {};
     std::uint64_t seed = 0;  ///< of the first guide
 };
 

@@ -193,7 +193,8 @@ void add_evaluate(CLI::App& app, int& exit_code) {
     command->add_option("--blend", options->blends, "which blends; all by default")
         ->type_name("NAME,...");
     command->add_option("--seed", groom.seed, "of the first guide and of the curls")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(is_seed);
     command->add_option("--scalp", groom.scalp, "mesh that the hair grows on")
         ->type_name("OBJ")
         ->check(not_empty());
