@@ -8,9 +8,10 @@
 
 namespace lancret {
 
-/// Reads a strand as `segments` circular arcs of one length whose tangents are the
-/// strand's own at every joint; the frame does not turn about the tangent. Off the strand
-/// by order 2 in the segment. The root frame is that of fit_super_helix. The report is
+/// Reads a strand as helices of one length, one from each sample to the next: tangents at
+/// the joints are the strand's own, and each twists as brings its chord nearest to the
+/// strand's. Exact on a helix; a fit of many segments does better at a few thousand times
+/// the time. The root frame is that of fit_super_helix. The report is
 /// measured at the joints. `target` has segments + 1 samples.
 FittedGuide read_super_helix(const SampledCurve& target, const Vec3& surface_tangent);
 

@@ -27,20 +27,39 @@ TEST(SuperHelixReading, TangentsAtJointsAreTheStrandsOwn) {
     const FittedGuide guide = read_super_helix(target, Vec3::UnitX());
     HelixState<double> state{guide.root_frame, target.positions[0]};
     for (std::size_t i = 0; i < 32; ++i) {
-        EXPECT_EQ(guide.curvatures[i].x(), 0);
         advance<double>(state, guide.curvatures[i], target.step());
         // Round-off of 32 steps.
         EXPECT_LT((state.frame.col(0) - target.tangents[i + 1]).norm(), 1e-13);
     }
 }
 
-TEST(SuperHelixReading, ComesNearAtOrderTwo) {
-    const double coarse = read_super_helix(sampled_helix(32), Vec3::UnitX()).report.rms;
-    const double fine = read_super_helix(sampled_helix(64), Vec3::UnitX()).report.rms;
-    // The error is c h^2 + O(h^4) with h = 0.35 radian of turn a step: a quarter within
-    // h^2.
-    EXPECT_NEAR(fine / coarse, 0.25, 0.25 * 0.35 * 0.35);
-    EXPECT_LT(fine, 0.01);
+TEST(SuperHelixReading, AHelixIsReadExactly) {
+    // Its torsion is h / (1 + h^2) = 0.4. The steps of the twist leave the share
+    // (least / (slope + least))^4 of it, where least^2 / slope^2 = (0.02 / bend)^2 and
+    // the bend is 0.35 radian: 1e-10, over 14 cm.
+    const FittedGuide guide = read_super_helix(sampled_helix(32), Vec3::UnitX());
+    for (const Vec3& u : guide.curvatures) {
+        EXPECT_NEAR(u.x(), 0.4, 1e-6);
+        EXPECT_NEAR(std::hypot(u.y(), u.z()), 0.8, 1e-6);
+    }
+    EXPECT_LT(guide.report.max, 1e-6);
+}
+
+TEST(SuperHelixReading, WhatHardlyBendsDoesNotTwist) {
+    // A straight strand of 10 cm off by a file's round-off, here 1e-6 cm to and fro.
+    SampledCurve noisy;
+    noisy.length = 10;
+    for (int i = 0; i <= 64; ++i) {
+        const double side = 1e-6 * std::sin(2.0 * i), other = 1e-6 * std::cos(3.1 * i);
+        noisy.positions.emplace_back(side, other, 10.0 * i / 64);
+        noisy.tangents.push_back(Vec3(10 * side, 10 * other, 1).normalized());
+    }
+    const double ds = noisy.step();
+    for (const Vec3& u : read_super_helix(noisy, Vec3::UnitX()).curvatures) {
+        // Each of four steps is at most off * slope / least^2 with off = 5e-6, slope =
+        // bend ds / 12 and least = 0.02 ds / 12, for a bend of 3e-5 radian.
+        EXPECT_LT(std::abs(u.x()) * ds, 4 * 5e-6 * 3e-5 * 12 / (0.02 * 0.02 * ds));
+    }
 }
 
 TEST(SuperHelixReading, AnArcIsReadExactly) {
