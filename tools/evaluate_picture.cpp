@@ -34,6 +34,18 @@ Curves curves_of(const StrandSamples& strands, std::span<const Vec3f> tangents,
     return out;
 }
 
+/// The taper, thickened where strands would be so thin at the middle of the box that a
+/// picture of few paths a pixel shows sparkles in their stead.
+Taper visible(const Taper& taper, const Camera& camera, const Vec3f& middle, int height) {
+    constexpr float kLeastRadius = 0.35f;  // pixels
+    const float pixel =
+        2 * camera.tangent * (middle - camera.position).norm() / float(height);
+    const float least = kLeastRadius * pixel;
+    if (!(taper.root > 0)) return {least, std::max(least, taper.tip)};
+    const float thicker = std::max(1.0f, least / taper.root);
+    return {taper.root * thicker, taper.tip * thicker};
+}
+
 /// `panel` put into `strip` with its left side at `x`.
 void put(const Image& panel, int x, Image& strip) {
     for (int y = 0; y < panel.height; ++y) {
@@ -56,6 +68,7 @@ Image evaluation_strip(const LeaveOut& taken, const GuideProfiles<float>& profil
     scene.lights = view.preview.lights ? *view.preview.lights
                                        : default_lights(camera.view(), view.up);
     const RenderSettings& settings = view.preview.render;
+    const Taper taper = visible(view.taper, camera, box.center(), settings.height);
     const int panels = 1 + int(blends.size()),
               size = std::clamp(settings.height / 24, 8, 24);
     Image strip(panels * settings.width, settings.height);
@@ -64,13 +77,12 @@ Image evaluation_strip(const LeaveOut& taken, const GuideProfiles<float>& profil
         if (panel == 0) {
             curves = curves_of(
                 taken.truth, taken.tangents,
-                [&](std::size_t i) { return taken.lengths[i]; }, view.taper);
+                [&](std::size_t i) { return taken.lengths[i]; }, taper);
         } else {
             const Prediction made = predict(taken, profiles, blends[panel - 1]);
             curves = curves_of(
                 made.strands, made.tangents,
-                [&](std::size_t i) { return double(taken.binding.lengths[i]); },
-                view.taper);
+                [&](std::size_t i) { return double(taken.binding.lengths[i]); }, taper);
         }
         const HairScene geometry(curves, view.body ? &*view.body : nullptr);
         scene.geometry = &geometry;
