@@ -21,8 +21,7 @@ namespace {
 
 struct EvaluateOptions {
     GroomOptions groom;
-    std::vector<std::string> blends;
-    std::string curl, json, image, size = "320x400";
+    std::string blends, curl, json, image, size = "320x400";
     int samples = 16;
 };
 
@@ -38,23 +37,23 @@ std::vector<std::string> split(const std::string& text) {
     return out;
 }
 
-/// The blends that are named, each once; all of them where none is. Throws InputError.
-std::vector<Blend> chosen_blends(const std::vector<std::string>& lists) {
+/// The blends that a list names, each once; all of them where it is empty. Throws
+/// InputError.
+std::vector<Blend> chosen_blends(const std::string& list) {
     std::vector<std::string_view> all;
-    for (const BlendName& entry : kBlendNames) all.push_back(entry.name);
     std::vector<Blend> out;
-    for (const std::string& list : lists) {
-        for (const std::string& name : split(list)) {
-            const auto blend = blend_named(name);
-            if (!blend) {
-                throw InputError(fmt::format("--blend: '{}' is no blend; there are {}",
-                                             name, fmt::join(all, ", ")));
-            }
-            if (std::ranges::find(out, *blend) == out.end()) out.push_back(*blend);
-        }
+    for (const BlendName& entry : kBlendNames) {
+        all.push_back(entry.name);
+        if (list.empty()) out.push_back(entry.blend);
     }
-    if (lists.empty()) {
-        for (const BlendName& entry : kBlendNames) out.push_back(entry.blend);
+    if (list.empty()) return out;
+    for (const std::string& name : split(list)) {
+        const auto blend = blend_named(name);
+        if (!blend) {
+            throw InputError(fmt::format("--blend: '{}' is no blend; there are {}", name,
+                                         fmt::join(all, ", ")));
+        }
+        if (std::ranges::find(out, *blend) == out.end()) out.push_back(*blend);
     }
     return out;
 }
@@ -192,7 +191,8 @@ void add_evaluate(CLI::App& app, int& exit_code) {
         ->capture_default_str()
         ->check(not_empty());
     command->add_option("--blend", options->blends, "which blends; all by default")
-        ->type_name("NAME,...");
+        ->type_name("NAME,...")
+        ->check(not_empty());
     command->add_option("--seed", groom.seed, "of the first guide and of the curls")
         ->type_name("N")
         ->check(is_seed);

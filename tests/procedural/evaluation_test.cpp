@@ -68,9 +68,8 @@ TEST(Evaluation, PositionShortensBetweenGuidesThatPointApart) {
     const auto profiles = profiles_of(taken);
     const BlendEvaluation by_place = evaluate_blend(taken, profiles, Blend::position);
     EXPECT_NEAR(by_place.length_error_max, 1 - std::sqrt(0.5), 1e-5);
-    // 10 (1 - sqrt(1/2)) cm short at the tip, and s of that at share s: RMS over the 65
-    // samples is sqrt(sum j^2 / 65) / 64 = sqrt(64 * 129 / (6 * 64 * 65 / 65)) / ... =
-    // sqrt(129 / (6 * 64)).
+    // At share s it is s (1 - sqrt(1/2)) of the length too low: over the 65 samples s = j
+    // / 64 the mean of s^2 is 64 * 65 * 129 / 6 / 64^2 / 65 = 129 / (6 * 64).
     EXPECT_NEAR(by_place.figures.tip.median, 1 - std::sqrt(0.5), 1e-5);
     EXPECT_NEAR(by_place.figures.rms.median,
                 (1 - std::sqrt(0.5)) * std::sqrt(129.0 / (6 * 64)), 1e-5);

@@ -43,8 +43,8 @@ TEST(Evaluate, JsonHasEveryFigureOfEveryBlend) {
 TEST(Evaluate, NamedBlendsAloneAreEvaluatedEachOnce) {
     const SmallGrooms folder;
     const std::string file = folder.at("figures.json");
-    const CommandRun run = lancret({"evaluate", folder.hair, "--guides", "20%", "--blend",
-                                    "position,option1,position", "--json", file});
+    const CommandRun run = lancret({"evaluate", "--blend", "position,option1,position",
+                                    folder.hair, "--guides", "20%", "--json", file});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto json = nlohmann::json::parse(read_bytes(file));
     EXPECT_EQ(json["guides"], 5);
