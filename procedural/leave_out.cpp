@@ -23,11 +23,15 @@ constexpr int kReadSegments[] = {16, 32, 64, 128};
 /// of 95 in 100 guides.
 constexpr double kFitCurvature = 0.005, kFitDistance = 0.002;
 
+/// Shorter than this, cm, a strand has no length: its curvatures are beyond floats.
+constexpr double kShortest = 1e-6;
+
 /// Every strand at equal steps; nothing of those without a length.
 std::vector<SampledCurve> sampled(const Strands& strands) {
     std::vector<SampledCurve> out(strands.size());
     tbb::parallel_for(std::size_t(0), strands.size(), [&](std::size_t i) {
-        if (const auto curve = strand_curve(strands, i)) {
+        const auto curve = strand_curve(strands, i);
+        if (curve && curve->length() >= kShortest) {
             out[i] = resample(*curve, kCompareSteps);
         }
     });

@@ -41,7 +41,7 @@ struct LeaveOut {
     StrandSamples truth;          ///< [children], at kCompareSteps
     std::vector<Vec3f> tangents;  ///< there, unit
     std::vector<double> lengths;  ///< [children] of the left-out strands, cm
-    std::size_t flat_strands = 0;  ///< without a length, left aside
+    std::size_t flat_strands = 0;  ///< without a length (below 1e-6 cm), left aside
 };
 
 /// Takes a groom apart: guides by farthest point on the roots, the rest bound at their

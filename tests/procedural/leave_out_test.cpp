@@ -129,9 +129,11 @@ TEST(LeaveOut, StrandsWithoutALengthAreLeftAsideAndCounted) {
     Strands strands = curly_strands(30, 8);
     for (std::uint32_t p = strands.first[3]; p < strands.first[4]; ++p)
         strands.points[p] = Vec3f(1, 1, 0);
+    for (std::uint32_t p = strands.first[5]; p < strands.first[6]; ++p)
+        strands.points[p] *= 1e-20f;
     const LeaveOut taken = leave_out(strands, nullptr, {.guides = {.number = 5}}, "g");
-    EXPECT_EQ(taken.flat_strands, 1u);
-    EXPECT_EQ(taken.guides.size() + taken.binding.size(), 29u);
+    EXPECT_EQ(taken.flat_strands, 2u);
+    EXPECT_EQ(taken.guides.size() + taken.binding.size(), 28u);
     EXPECT_FALSE(std::ranges::binary_search(taken.child_strands, 3u));
 }
 
