@@ -1,11 +1,8 @@
 #include "guides/super_helix_fit.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <Eigen/Cholesky>
 #include <complex>
 #include <limits>
-#include <optional>
 
 #include "guides/rotation_minimizing.h"
 #include "guides/super_helix.h"
@@ -265,36 +262,11 @@ FittedGuide fit_super_helix(const SampledCurve& target, const Vec3& surface_tang
 FittedGuides fit_guides(const Strands& strands, std::span<const std::uint32_t> which,
                         std::span<const Vec3> surface_tangents,
                         const FitSettings& settings) {
-    std::vector<std::optional<FittedGuide>> fitted(which.size());
-    std::vector<Vec3> roots(which.size());
-    tbb::parallel_for(std::size_t(0), which.size(), [&](std::size_t i) {
-        const std::optional<Curve> curve = strand_curve(strands, which[i]);
-        if (!curve) return;
-        const SampledCurve target = resample(*curve, fit_samples(settings));
-        const Vec3 hint =
-            surface_tangents.empty() ? Vec3(Vec3::UnitX()) : surface_tangents[i];
-        fitted[i] = fit_super_helix(target, hint, settings);
-        roots[i] = target.positions[0];
-    });
-    FittedGuides out;
-    out.guides.segments = settings.segments;
-    for (std::size_t i = 0; i < which.size(); ++i) {
-        if (!fitted[i]) {
-            ++out.left_out;
-            continue;
-        }
-        const double segment = fitted[i]->report.length / settings.segments;
-        out.guides.root_positions.push_back(roots[i]);
-        out.guides.root_frames.push_back(fitted[i]->root_frame);
-        out.guides.segment_lengths.insert(out.guides.segment_lengths.end(),
-                                          settings.segments, segment);
-        out.guides.curvatures.insert(out.guides.curvatures.end(),
-                                     fitted[i]->curvatures.begin(),
-                                     fitted[i]->curvatures.end());
-        out.reports.push_back(fitted[i]->report);
-        out.strands.push_back(which[i]);
-    }
-    return out;
+    return guides_of_strands(strands, which, surface_tangents, settings.segments,
+                             fit_samples(settings),
+                             [&](const SampledCurve& target, const Vec3& hint) {
+                                 return fit_super_helix(target, hint, settings);
+                             });
 }
 
 }  // namespace lancret

@@ -1,6 +1,7 @@
 #pragma once
 // Curve to Super-Helix: the n helices that follow a strand best.
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,18 @@ struct FittedGuides {
     std::vector<std::uint32_t> strands;  ///< [guides] the strand each was fitted to
     std::size_t left_out = 0;            ///< strands without a length
 };
+
+/// How a strand becomes a guide, given the surface's tangent at its root.
+using GuideOfStrand =
+    std::function<FittedGuide(const SampledCurve& target, const Vec3& surface_tangent)>;
+
+/// Makes guides of `segments` of the strands named by `which`, each sampled at `samples`
+/// equal steps, by `make`, which is called from several threads at once. The rest as
+/// fit_guides.
+FittedGuides guides_of_strands(const Strands& strands,
+                               std::span<const std::uint32_t> which,
+                               std::span<const Vec3> surface_tangents, int segments,
+                               int samples, const GuideOfStrand& make);
 
 /// Fits the strands named by `which`, in that order; strands whose points coincide are
 /// left out and counted. `surface_tangents` holds the scalp's tangent at each of their

@@ -17,8 +17,8 @@ namespace lancret {
 
 /// How many of a dense groom's strands become guides: a number, or a share of them all.
 struct GuideCount {
-    std::optional<std::uint32_t> number;
-    std::optional<double> share;  ///< 0 to 1
+    std::optional<std::uint32_t> number = {};
+    std::optional<double> share = {};  ///< 0 to 1
 
     /// Of `strands`: where neither is said, all of up to 500, else 500.
     std::uint32_t of(std::size_t strands) const;

@@ -49,12 +49,6 @@ std::vector<T> picked(const std::vector<T>& from, std::span<const std::uint32_t>
     return out;
 }
 
-/// The strands that a groom starts from, cm.
-struct LoadedGroom {
-    Strands strands;
-    std::optional<TriangleMesh> scalp, body;  ///< of a groom that Lancret makes
-};
-
 /// Places in a file are within bounds, but may leave them with the scene's units.
 void check_places(const std::vector<Vec3f>& places, const std::filesystem::path& file) {
     if (std::ranges::all_of(places, is_place)) return;
@@ -62,6 +56,8 @@ void check_places(const std::vector<Vec3f>& places, const std::filesystem::path&
         "{}: metres_per_unit of [scene] puts it beyond {:.0e} cm, which is no place",
         file.string(), kLargestCoordinate));
 }
+
+}  // namespace
 
 LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
     LoadedGroom out;
@@ -104,6 +100,8 @@ std::optional<Scalp> load_scalp(const Groom& groom) {
     }
     return out;
 }
+
+namespace {
 
 /// Guides from a cache: they are the groom.
 void take_cached(const Groom& groom, GroomGuides& out) {

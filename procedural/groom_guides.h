@@ -36,6 +36,20 @@ struct GroomGuides {
     std::vector<std::string> warnings;  ///< a line each
 };
 
+/// The strands that a groom starts from, cm.
+struct LoadedGroom {
+    Strands strands;
+    std::optional<TriangleMesh> scalp, body;  ///< of a groom that Lancret makes
+};
+
+/// Reads or makes a groom's strands; what is worth telling is added to `warnings`. Throws
+/// InputError.
+LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings);
+
+/// Reads the mesh that a groom names as its scalp; nothing where it names none. Throws
+/// InputError.
+std::optional<Scalp> load_scalp(const Groom& groom);
+
 /// Loads a groom, chooses its guides by farthest point and fits them. A guide cache (.h5)
 /// is taken as it is, in its rest pose; where it has none, at its first frame. Throws
 /// InputError.

@@ -85,6 +85,19 @@ const ThirdParty kThirdParties[] = {
     {{"benchmark/"}, {"bench/"}},
 };
 
+/// The figures of an evaluation share nothing with what they measure.
+std::string judge_fault(const Include& include) {
+    constexpr const char* kJudged[] = {"procedural/blend",   "procedural/guide_profiles",
+                                       "procedural/expand",  "procedural/evaluation",
+                                       "procedural/binding", "procedural/leave_out"};
+    const bool judge = begins(include.file, "procedural/strand_figures.");
+    return judge && std::ranges::any_of(
+                        kJudged,
+                        [&](const char* start) { return begins(include.name, start); })
+               ? include.file + " may not include " + include.name
+               : std::string();
+}
+
 std::string third_party_fault(const Include& include) {
     if (include.quoted) return {};
     const auto starts = [](const std::string& text) {
@@ -177,6 +190,16 @@ TEST(Layering, RulesFindWhatBreaksThem) {
 TEST(Layering, FoldersIncludeOnlyWhatTheyMay) { expect_faultless(layering_fault); }
 
 TEST(Layering, ThirdPartiesStayInTheirFiles) { expect_faultless(third_party_fault); }
+
+TEST(Layering, FiguresKnowNothingOfTheBlends) {
+    const auto include = [](const char* name) {
+        return Include{"procedural/strand_figures.cpp", name, true};
+    };
+    EXPECT_NE(judge_fault(include("procedural/blend.h")), "");
+    EXPECT_NE(judge_fault(include("procedural/expand.h")), "");
+    EXPECT_EQ(judge_fault(include("procedural/strand_figures.h")), "");
+    expect_faultless(judge_fault);
+}
 
 TEST(Layering, NothingIncludesASourceFile) { expect_faultless(source_fault); }
 

@@ -37,12 +37,6 @@ std::optional<T> whole_number(std::string_view text) {
     return value;
 }
 
-std::string is_seed(const std::string& text) {
-    if (whole_number<std::uint64_t>(text)) return {};
-    return fmt::format("'{}' is no seed; give a whole number from 0 to {}", text,
-                       std::numeric_limits<std::uint64_t>::max());
-}
-
 /// The groom that a file of strands or guides is by itself.
 Groom groom_of_file(const std::filesystem::path& file) {
     Groom out;
@@ -195,6 +189,12 @@ void check_output(const std::filesystem::path& output,
         throw InputError(fmt::format("{}: cannot be written: {}", output.string(),
                                      errno ? std::strerror(errno) : "no file there"));
     }
+}
+
+std::string is_seed(const std::string& text) {
+    if (whole_number<std::uint64_t>(text)) return {};
+    return fmt::format("'{}' is no seed; give a whole number from 0 to {}", text,
+                       std::numeric_limits<std::uint64_t>::max());
 }
 
 CLI::Validator not_empty() {

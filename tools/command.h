@@ -56,6 +56,10 @@ void check_output(const std::filesystem::path& output,
 /// For an option whose value must not be empty, as that of an unset shell variable is.
 CLI::Validator not_empty();
 
+/// For an option whose value is a seed: what is wrong with `text`, empty where nothing
+/// is.
+std::string is_seed(const std::string& text);
+
 /// make_generator with its stages on a terminal and its warnings on stderr. Throws
 /// InputError.
 Generator run_generator(const Groom& groom);
@@ -68,6 +72,7 @@ std::pair<int, int> parse_size(const std::string& text);
 void add_preview(CLI::App& app, int& exit_code);
 void add_expand(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
+void add_evaluate(CLI::App& app, int& exit_code);
 void add_fit(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
     add_preview(app, exit_code);
     add_expand(app, exit_code);
     add_check(app, exit_code);
+    add_evaluate(app, exit_code);
     add_fit(app, exit_code);
     add_simulate(app, exit_code);
     add_info(app, exit_code);
