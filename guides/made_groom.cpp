@@ -29,6 +29,7 @@ enum Salt : std::uint64_t {
     kPhase,
     kLayer,
     kLift,
+    kOwnLength,
     kFrizz = 100,
     kField = 1000,
 };
@@ -164,7 +165,8 @@ struct Strand {
             std::clamp(root.y() / kMadeHead.y() * 0.65 + 0.35, 0.0, 1.0);
         const double t =
             std::clamp(0.85 * height + 0.075 + 0.075 * vary(kLength, 0.5), 0.0, 1.0);
-        return settings.shortest + t * (settings.longest - settings.shortest);
+        const double own = 1 + settings.length_spread * (2 * random(kOwnLength) - 1);
+        return own * (settings.shortest + t * (settings.longest - settings.shortest));
     }
     std::vector<Vec3> points() const;
 };
@@ -188,7 +190,7 @@ std::vector<Vec3> Strand::points() const {
     const double wavelength =
         settings.curl_wavelength * (1 + vary(kWavelength, 0.15) / 3);
     const double phase = kTau * (0.9 * field(root, settings.seed, kPhase) +
-                                 0.12 * (2 * random(kPhase) - 1));
+                                 settings.phase_spread * (2 * random(kPhase) - 1));
     const double slope = wavelength > 0 ? kTau * radius / wavelength : 0;
     const double layer = 0.12 + 0.9 * std::pow(random(kLayer), 1.5);
 
@@ -258,6 +260,9 @@ void check(const MadeGroomSettings& s) {
     require(s.curl_radius >= 0 && s.curl_radius <= kMost && s.curl_wavelength >= 0 &&
                 s.curl_wavelength <= kMost && s.frizz >= 0 && s.frizz <= kMost,
             "expected a curl radius, curl wavelength and frizz of 0 or more");
+    require(s.phase_spread >= 0 && s.phase_spread <= kMost && s.length_spread >= 0 &&
+                s.length_spread < 1,
+            "expected a phase spread of 0 or more and a length spread within [0, 1)");
 }
 
 }  // namespace

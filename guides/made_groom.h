@@ -20,6 +20,8 @@ struct MadeGroomSettings {
     double curl_radius =
         0.35;  ///< cm, half as much again and half as much here and there
     double curl_wavelength = 4.5;  ///< cm along the strand, a third more and less
+    double phase_spread = 0.12;    ///< of a strand's own phase, turns; 0.5 is any phase
+    double length_spread = 0;      ///< of a strand's own length, a share of it; below 1
     double frizz = 0.05;           ///< slope of each strand's own fine waves; 0 is sleek
     std::uint64_t seed = 1;
 };
@@ -40,7 +42,7 @@ struct MadeGroom {
 /// along the head and then freely. Its wave's radius, wavelength and phase are smooth
 /// over the scalp, so that neighbours look alike, with a little of its own on top. Throws
 /// std::invalid_argument where a setting is out of its range: strands and lengths above
-/// 0, waves and frizz of 0 or more and finite.
+/// 0, waves, spreads and frizz of 0 or more and finite.
 MadeGroom make_groom(const MadeGroomSettings& settings);
 
 }  // namespace lancret

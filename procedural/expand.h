@@ -11,7 +11,7 @@
 namespace lancret {
 
 struct ExpandSettings {
-    Blend blend = Blend::option1;
+    Blend blend = Blend::detail;
     CurveBasis basis = CurveBasis::bspline;
     CurveShape shape = CurveShape::flat;
     Taper taper{};

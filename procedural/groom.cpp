@@ -46,6 +46,9 @@ void read_made(const TomlTable& made, MadeGroomSettings& out) {
     set(out.curl_radius, made.number("curl_radius", 0, 10));
     set(out.curl_wavelength, made.number("curl_wavelength", 0.1, 100));
     set(out.frizz, made.number("frizz", 0, 10));
+    set(out.points, made.integer("points", 4, 1024));
+    set(out.phase_spread, made.number("phase_spread", 0, 1));
+    set(out.length_spread, made.number("length_spread", 0, 0.9));
 }
 
 void read_guides(const TomlTable& guides, Groom& out) {
