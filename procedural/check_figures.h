@@ -34,4 +34,10 @@ inline nlohmann::json number_json(double value) {
     return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
 }
 
+/// A frame's number: whole where it is whole.
+inline nlohmann::json frame_json(double frame) {
+    if (frame == std::floor(frame)) return std::int64_t(frame);
+    return frame;
+}
+
 }  // namespace lancret

@@ -14,8 +14,7 @@ namespace {
 
 /// A figure that one frame has one of, and the frame where it is largest.
 struct Peak {
-    double value = 0;
-    int frame = 0;
+    double value = 0, frame = 0;
 };
 
 template <class Value>
@@ -64,9 +63,22 @@ std::string line(const char* title, const Peak& peak, double tolerance, bool ask
 
 }  // namespace
 
-bool FramesReport::pass() const { return std::ranges::all_of(frames, &FrameCheck::pass); }
+bool FramesReport::pass() const {
+    return std::ranges::all_of(frames, &FrameCheck::pass) &&
+           std::ranges::all_of(steps, &StepCheck::pass);
+}
 
-void add_frame(FramesReport& report, int frame, CheckReport children,
+void add_step(FramesReport& report, double from, double to, const TemporalReport& motion,
+              Blend blend) {
+    // Places of some 1e2 cm round by 1e-14 of that in doubles, some 1e2 times over; the
+    // guides' motion is at least 5e-4 cm.
+    constexpr double kRounding = 1e-6;
+    StepCheck step{from, to, motion, amplification_bound(blend), true};
+    step.pass = !step.bound || motion.amplification <= *step.bound + kRounding;
+    report.steps.push_back(step);
+}
+
+void add_frame(FramesReport& report, double frame, CheckReport children,
                const GuideCheck& guides) {
     FrameCheck out;
     out.frame = frame;
@@ -93,6 +105,43 @@ void add_frame(FramesReport& report, int frame, CheckReport children,
     }
 }
 
+namespace {
+
+/// The step with the largest amplification, the first such.
+const StepCheck& worst_step(const FramesReport& report) {
+    return *std::ranges::max_element(
+        report.steps, {}, [](const StepCheck& s) { return s.motion.amplification; });
+}
+
+std::string steps_table(const FramesReport& report) {
+    if (report.steps.empty()) return {};
+    const StepCheck& worst = worst_step(report);
+    const auto& [child, guides] = worst.motion.motion;
+    std::string out =
+        fmt::format("{:32} {:10.3f} {:>8} {:>10}{}\n", "child's step over its guides'",
+                    worst.motion.amplification, worst.to,
+                    worst.bound ? fmt::format("{:.3f}", *worst.bound) : "not asked",
+                    worst.pass ? "" : "  <-- above");
+    out +=
+        fmt::format("  child {} from frame {} to {}: {:.4f} cm, its guides {:.4f} cm\n",
+                    worst.motion.child, worst.from, worst.to, child, guides);
+    return out;
+}
+
+nlohmann::json step_json(const StepCheck& step) {
+    return {{"from", frame_json(step.from)},
+            {"to", frame_json(step.to)},
+            {"amplification", number_json(step.motion.amplification)},
+            {"child", step.motion.child},
+            {"child_cm", number_json(step.motion.motion.child)},
+            {"guides_cm", number_json(step.motion.motion.guides)},
+            {"largest_child_cm", number_json(step.motion.largest_child)},
+            {"largest_guides_cm", number_json(step.motion.largest_guides)},
+            {"pass", step.pass}};
+}
+
+}  // namespace
+
 std::string frames_table(const FramesReport& report) {
     const CheckTolerances& tolerances = report.worst.tolerances;
     std::string out = fmt::format("{:32} {:>10} {:>8} {:>10}\n",
@@ -109,6 +158,7 @@ std::string frames_table(const FramesReport& report) {
         out += line(figure.title, at, tolerance_of(figure, tolerances),
                     is_asked(figure, report));
     }
+    out += steps_table(report);
     const auto counted = [&](const char* title, std::size_t FrameCheck::*count) {
         const Peak at =
             peak(report, [&](const FrameCheck& f) { return double(f.*count); });
@@ -120,7 +170,13 @@ std::string frames_table(const FramesReport& report) {
     counted("tip outside the bound", &FrameCheck::outside_bound);
     counted("not finite", &FrameCheck::non_finite);
     const auto failed = std::ranges::find_if_not(report.frames, &FrameCheck::pass);
-    if (failed == report.frames.end()) {
+    const auto jumps = std::ranges::find_if_not(report.steps, &StepCheck::pass);
+    if (failed == report.frames.end() && jumps != report.steps.end()) {
+        out += fmt::format(
+            "\nFAIL: {} of {} steps go beyond the blend's bound, the first is {} to {}\n",
+            std::ranges::count(report.steps, false, &StepCheck::pass),
+            report.steps.size(), jumps->from, jumps->to);
+    } else if (failed == report.frames.end()) {
         out += fmt::format("\nPASS: all {} frames keep every tolerance\n",
                            report.frames.size());
     } else {
@@ -136,10 +192,10 @@ nlohmann::json frames_json(const FramesReport& report) {
     const CheckTolerances& tolerances = report.worst.tolerances;
     nlohmann::json out;
     out["pass"] = report.pass();
-    out["worst_frame"] = report.worst_frame;
+    out["worst_frame"] = frame_json(report.worst_frame);
     out["frames"] = nlohmann::json::array();
     for (const FrameCheck& f : report.frames) {
-        nlohmann::json entry = {{"frame", f.frame},
+        nlohmann::json entry = {{"frame", frame_json(f.frame)},
                                 {"pass", f.pass},
                                 {"failed", f.failed},
                                 {"hull", {{"outside", f.outside_hull}}},
@@ -160,7 +216,7 @@ nlohmann::json frames_json(const FramesReport& report) {
     const auto put = [](nlohmann::json& at, const char* max_key, const Peak& found,
                         double tolerance) {
         at = {{max_key, number_json(found.value)},
-              {"frame", found.frame},
+              {"frame", frame_json(found.frame)},
               {"tolerance", tolerance}};
     };
     for (const Figure& figure : kFigures) {
@@ -174,6 +230,14 @@ nlohmann::json frames_json(const FramesReport& report) {
             peak(report, [&](const FrameCheck& f) { return f.guides.*figure.value; }),
             tolerance_of(figure, tolerances));
         worst["guides"][figure.key]["asked"] = is_asked(figure, report);
+    }
+    if (!report.steps.empty()) {
+        nlohmann::json& temporal = out["temporal"] = step_json(worst_step(report));
+        const auto& bound = worst_step(report).bound;
+        temporal["bound"] = bound ? nlohmann::json(*bound) : nlohmann::json(nullptr);
+        for (const StepCheck& step : report.steps) {
+            temporal["steps"].push_back(step_json(step));
+        }
     }
     return out;
 }

@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "guides/coordinates.h"
 #include "guides/errors.h"
@@ -90,6 +91,40 @@ std::vector<Vec3> pose_binding(Binding& binding, const RestPlaces& rest,
     } else {
         const Scalp scalp = posed_scalp(rest, std::get<TriangleMesh>(pose));
         pose_on_mesh(binding, rest, scalp, out);
+    }
+    return out;
+}
+
+std::vector<RigidPose> carriers(const ScalpPose& pose, std::span<const MeshPoint> places,
+                                std::size_t count) {
+    if (const auto* rigid = std::get_if<RigidPose>(&pose)) return {count, *rigid};
+    const TriangleMesh& mesh = std::get<TriangleMesh>(pose);
+    if (places.size() != count) {
+        throw InputError(
+            "a posed scalp needs a scalp at rest, and the groom has none: name it in "
+            "[scalp]");
+    }
+    std::vector<RigidPose> out(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const MeshPoint& place = places[i];
+        if (place.triangle >= mesh.triangles.size()) {
+            throw std::invalid_argument("carriers: a place is not on the mesh");
+        }
+        const auto& t = mesh.triangles[place.triangle];
+        const auto corner = [&](int c) -> Vec3 {
+            return mesh.positions[t[c]].cast<double>();
+        };
+        const Vec3 origin = corner(0), e1 = corner(1) - origin, e2 = corner(2) - origin;
+        const Vec3 area = e1.cross(e2);
+        if (!(area.norm() > 1e-9 * std::max(e1.squaredNorm(), e2.squaredNorm()))) {
+            throw InputError(
+                fmt::format("the posed scalp: triangle {} has no area, expected some "
+                            "under each root",
+                            place.triangle));
+        }
+        const Vec3 edge = e1.normalized(), normal = area.normalized();
+        out[i].rotation << edge, normal.cross(edge), normal;
+        out[i].translation = origin + double(place.u) * e1 + double(place.v) * e2;
     }
     return out;
 }

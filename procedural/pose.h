@@ -4,6 +4,7 @@
 // scalp. Those few numbers are written in place, from their rest values.
 
 #include <functional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -44,6 +45,13 @@ RestPlaces rest_places(const Binding& binding, const GroomGuides& source);
 /// where it is nowhere finite.
 std::vector<Vec3> pose_binding(Binding& binding, const RestPlaces& rest,
                                const ScalpPose& pose);
+
+/// How the scalp carries what stands on it: of a rigid pose, that pose, `count` times; of
+/// a posed mesh, for each of `places` ([count]) the frame of its triangle (first edge,
+/// across, normal) with the place as its origin. Throws InputError where such a triangle
+/// has no area or there are no places, std::invalid_argument where one is off the mesh.
+std::vector<RigidPose> carriers(const ScalpPose& pose, std::span<const MeshPoint> places,
+                                std::size_t count);
 
 /// What is seen of the head at that time: `rest` moved along by a rigid pose; a posed
 /// mesh takes its place.

@@ -199,21 +199,43 @@ std::optional<std::filesystem::path> TomlTable::path(std::string_view key) const
     return node_->document->folder / *value;
 }
 
+namespace {
+
+/// The numbers of an array, nothing where `value` is not one of `size` finite numbers.
+std::optional<std::array<double, 3>> numbers_of(const toml::node& value,
+                                                std::size_t size) {
+    const toml::array* array = value.as_array();
+    if (!array || array->size() != size) return std::nullopt;
+    std::array<double, 3> out{};
+    for (std::size_t i = 0; i < size; ++i) {
+        const auto number = (*array)[i].value<double>();
+        if (!(*array)[i].is_number() || !number || !std::isfinite(*number)) {
+            return std::nullopt;
+        }
+        out[i] = *number;
+    }
+    return out;
+}
+
+}  // namespace
+
 std::optional<Vec3> TomlTable::vector(std::string_view key) const {
     const toml::node* value = node_->ask(key);
     if (!value) return std::nullopt;
     const toml::array* array = value->as_array();
     if (!array || array->size() != 3)
         fail(key, fmt::format("'{}' must be [x, y, z]", key));
-    Vec3 out;
-    for (int i = 0; i < 3; ++i) {
-        const auto number = (*array)[i].value<double>();
-        if (!(*array)[i].is_number() || !number || !std::isfinite(*number)) {
-            fail(key, fmt::format("'{}' must be three numbers", key));
-        }
-        out[i] = *number;
-    }
-    return out;
+    const auto numbers = numbers_of(*value, 3);
+    if (!numbers) fail(key, fmt::format("'{}' must be three numbers", key));
+    return Vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+
+std::optional<Vec2> TomlTable::pair(std::string_view key) const {
+    const toml::node* value = node_->ask(key);
+    if (!value) return std::nullopt;
+    const auto numbers = numbers_of(*value, 2);
+    if (!numbers) fail(key, fmt::format("'{}' must be [a, b], two numbers", key));
+    return Vec2((*numbers)[0], (*numbers)[1]);
 }
 
 std::optional<std::size_t> TomlTable::choice(

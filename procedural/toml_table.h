@@ -42,6 +42,8 @@ class TomlTable {
     /// A path, relative to the file's folder.
     std::optional<std::filesystem::path> path(std::string_view key) const;
     std::optional<Vec3> vector(std::string_view key) const;
+    /// Two numbers.
+    std::optional<Vec2> pair(std::string_view key) const;
     /// The index in `names` of the text under `key`.
     std::optional<std::size_t> choice(std::string_view key,
                                       std::span<const std::string_view> names) const;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -41,6 +42,7 @@ RTCRay embree_ray(const Ray& ray) {
     r.org_x = ray.origin.x(), r.org_y = ray.origin.y(), r.org_z = ray.origin.z();
     r.dir_x = ray.direction.x(), r.dir_y = ray.direction.y(), r.dir_z = ray.direction.z();
     r.tnear = ray.near, r.tfar = ray.far;
+    r.time = ray.time;
     r.mask = ~0u;
     return r;
 }
@@ -86,11 +88,41 @@ void check_indices(const Curves& curves, const TriangleMesh* mesh) {
                 throw std::invalid_argument("a triangle points past the vertices");
 }
 
+/// What a time has in common with the first.
+void check_alike(const SceneTime& first, const SceneTime& other) {
+    if (!other.curves || !other.mesh != !first.mesh)
+        throw std::invalid_argument(
+            "a scene has strands at all times, a mesh at all or none");
+    const Curves &a = *first.curves, &b = *other.curves;
+    if (a.basis != b.basis || a.shape != b.shape || a.strands != b.strands ||
+        a.points_per_strand != b.points_per_strand ||
+        a.points.size() != b.points.size() || a.tangents.size() != b.tangents.size() ||
+        !std::ranges::equal(a.segments.span(), b.segments.span()))
+        throw std::invalid_argument("a scene's strands are the same at all times");
+    if (first.mesh && (first.mesh->triangles != other.mesh->triangles ||
+                       first.mesh->positions.size() != other.mesh->positions.size()))
+        throw std::invalid_argument("a scene's mesh has the same triangles at all times");
+}
+
+/// Between which times a ray is, and how far.
+struct TimeSegment {
+    std::size_t from = 0;
+    float share = 0;
+};
+
+/// As Embree divides the time of a scene of `times` times.
+TimeSegment time_segment(float time, std::size_t times) {
+    const float scaled = time * float(times - 1);
+    const float from = std::clamp(std::floor(scaled), 0.0f, float(times - 2));
+    return {std::size_t(from), scaled - from};
+}
+
 }  // namespace
 
 struct HairScene::Impl {
-    const Curves* curves = nullptr;
-    TriangleMesh mesh;
+    std::vector<const Curves*> curves;         ///< [times]
+    TriangleMesh mesh;                         ///< at the first time
+    std::vector<std::vector<Vec3f>> vertices;  ///< [times after the first]
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     unsigned strands_id = RTC_INVALID_GEOMETRY_ID;
@@ -122,45 +154,69 @@ struct HairScene::Impl {
         return id;
     }
 
+    std::size_t times() const { return curves.size(); }
+
     void add_strands(int tessellation) {
-        const RTCGeometry g = rtcNewGeometry(device, geometry_type(*curves));
-        rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
-                                   curves->points.data(), 0, sizeof(Point4f),
-                                   curves->points.size());
-        if (curves->basis == CurveBasis::hermite)
-            rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_TANGENT, 0, RTC_FORMAT_FLOAT4,
-                                       curves->tangents.data(), 0, sizeof(Point4f),
-                                       curves->tangents.size());
+        const Curves& first = *curves[0];
+        const RTCGeometry g = rtcNewGeometry(device, geometry_type(first));
+        if (times() > 1) rtcSetGeometryTimeStepCount(g, unsigned(times()));
+        const auto share = [&](RTCBufferType type, unsigned slot, const auto& buffer) {
+            rtcSetSharedGeometryBuffer(g, type, slot, RTC_FORMAT_FLOAT4, buffer.data(), 0,
+                                       sizeof(Point4f), buffer.size());
+        };
+        for (unsigned t = 0; t < times(); ++t) {
+            share(RTC_BUFFER_TYPE_VERTEX, t, curves[t]->points);
+            if (first.basis == CurveBasis::hermite)
+                share(RTC_BUFFER_TYPE_TANGENT, t, curves[t]->tangents);
+        }
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
-                                   curves->segments.data(), 0, sizeof(std::uint32_t),
-                                   curves->segments.size());
-        if (curves->shape == CurveShape::flat)
+                                   first.segments.data(), 0, sizeof(std::uint32_t),
+                                   first.segments.size());
+        if (first.shape == CurveShape::flat)
             rtcSetGeometryTessellationRate(g, float(tessellation));
         strands_id = attach(g, "adding strands");
+    }
+
+    const std::vector<Vec3f>& vertices_at(std::size_t time) const {
+        return time == 0 ? mesh.positions : vertices[time - 1];
     }
 
     /// A copy, because Embree reads 16 bytes at the last vertex.
     void add_mesh() {
         const RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        void* positions =
-            rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    sizeof(Vec3f), mesh.positions.size());
+        if (times() > 1) rtcSetGeometryTimeStepCount(g, unsigned(times()));
+        for (unsigned t = 0; t < times(); ++t) {
+            const std::vector<Vec3f>& from = vertices_at(t);
+            void* positions =
+                rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, t, RTC_FORMAT_FLOAT3,
+                                        sizeof(Vec3f), from.size());
+            if (positions) std::ranges::copy(from, static_cast<Vec3f*>(positions));
+        }
         void* triangles = rtcSetNewGeometryBuffer(
             g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
             sizeof(std::array<std::uint32_t, 3>), mesh.triangles.size());
-        if (positions && triangles) {
-            std::copy(mesh.positions.begin(), mesh.positions.end(),
-                      static_cast<Vec3f*>(positions));
-            std::copy(mesh.triangles.begin(), mesh.triangles.end(),
-                      static_cast<std::array<std::uint32_t, 3>*>(triangles));
-        }
+        if (triangles)
+            std::ranges::copy(mesh.triangles,
+                              static_cast<std::array<std::uint32_t, 3>*>(triangles));
         attach(g, "adding a mesh");
+    }
+
+    AxisPoint axis_of(std::uint32_t segment, float u, float time) const {
+        if (times() == 1) return axis_point(*curves[0], segment, u);
+        const auto [from, share] = time_segment(time, times());
+        return axis_point(*curves[from], *curves[from + 1], share, segment, u);
+    }
+
+    Vec3f vertex(std::uint32_t i, float time) const {
+        if (times() == 1) return mesh.positions[i];
+        const auto [from, share] = time_segment(time, times());
+        return (1 - share) * vertices_at(from)[i] + share * vertices_at(from + 1)[i];
     }
 
     void complete_strand(const RTCHit& from, const Ray& ray, Hit& hit) const {
         hit.kind = Hit::Kind::strand;
-        hit.strand = curves->strand_of(from.primID);
-        const AxisPoint axis = axis_point(*curves, from.primID, from.u);
+        hit.strand = curves[0]->strand_of(from.primID);
+        const AxisPoint axis = axis_of(from.primID, from.u, ray.time);
         hit.radius = axis.value.w();
         const Vec3f along = axis.derivative.head<3>();
         const float speed = along.norm();
@@ -168,7 +224,7 @@ struct HairScene::Impl {
             speed > 0 ? Vec3f(along / speed) : Vec3f(ray.direction.unitOrthogonal());
         hit.facing = unit_across(-ray.direction, hit.tangent);
         const Vec3f across = hit.facing.cross(hit.tangent);
-        if (curves->shape == CurveShape::flat) {
+        if (curves[0]->shape == CurveShape::flat) {
             hit.normal = hit.facing;
             hit.h = std::clamp(-from.v, -1.0f, 1.0f);
             hit.offset = hit.h * hit.radius * across;
@@ -180,11 +236,11 @@ struct HairScene::Impl {
         }
     }
 
-    void complete_mesh(const RTCHit& from, Hit& hit) const {
+    void complete_mesh(const RTCHit& from, const Ray& ray, Hit& hit) const {
         hit.kind = Hit::Kind::mesh;
         const auto& corners = mesh.triangles[from.primID];
-        const Vec3f& a = mesh.positions[corners[0]];
-        hit.tangent = (mesh.positions[corners[1]] - a).normalized();
+        const Vec3f a = vertex(corners[0], ray.time);
+        hit.tangent = (vertex(corners[1], ray.time) - a).normalized();
         hit.normal = Vec3f(from.Ng_x, from.Ng_y, from.Ng_z).normalized();
         if (mesh.uvs.empty()) return;
         const auto& uv = mesh.uvs[from.primID];
@@ -194,12 +250,19 @@ struct HairScene::Impl {
 
 HairScene::HairScene(const Curves& curves, const TriangleMesh* mesh,
                      const HairSceneOptions& options)
+    : HairScene(std::array{SceneTime{&curves, mesh}}, options) {}
+
+HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& options)
     : impl_(std::make_unique<Impl>()) {
-    check_indices(curves, mesh);
+    if (times.empty() || times.size() > kMostSceneTimes)
+        throw std::invalid_argument("a scene has 1 to 129 times");
+    if (!times[0].curves) throw std::invalid_argument("a scene needs strands");
+    check_indices(*times[0].curves, times[0].mesh);
+    for (const SceneTime& time : times.subspan(1)) check_alike(times[0], time);
     if (options.tessellation < 1 || options.tessellation > 16)
         throw std::invalid_argument("tessellation must be 1 to 16");
     const auto start = std::chrono::steady_clock::now();
-    impl_->curves = &curves;
+    for (const SceneTime& time : times) impl_->curves.push_back(time.curves);
     impl_->device = rtcNewDevice(nullptr);
     if (!impl_->device) throw std::runtime_error("Embree cannot start on this machine");
     rtcSetDeviceMemoryMonitorFunction(
@@ -210,9 +273,11 @@ HairScene::HairScene(const Curves& curves, const TriangleMesh* mesh,
         },
         &impl_->bytes);
     impl_->scene = rtcNewScene(impl_->device);
-    if (curves.segments.size() > 0) impl_->add_strands(options.tessellation);
-    if (mesh && !mesh->triangles.empty()) {
-        impl_->mesh = *mesh;
+    if (times[0].curves->segments.size() > 0) impl_->add_strands(options.tessellation);
+    if (times[0].mesh && !times[0].mesh->triangles.empty()) {
+        impl_->mesh = *times[0].mesh;
+        for (const SceneTime& time : times.subspan(1))
+            impl_->vertices.push_back(time.mesh->positions);
         impl_->add_mesh();
     }
     rtcCommitScene(impl_->scene);
@@ -241,7 +306,7 @@ std::optional<Hit> HairScene::intersect(const Ray& ray) const {
     if (query.hit.geomID == impl_->strands_id)
         impl_->complete_strand(query.hit, ray, hit);
     else
-        impl_->complete_mesh(query.hit, hit);
+        impl_->complete_mesh(query.hit, ray, hit);
     return hit;
 }
 
@@ -250,6 +315,8 @@ bool HairScene::occluded(const Ray& ray) const {
     any_hit(impl_->scene, &query);
     return query.tfar < 0;
 }
+
+bool HairScene::moves() const { return impl_->times() > 1; }
 
 Eigen::AlignedBox3f HairScene::bounds() const {
     RTCBounds b;

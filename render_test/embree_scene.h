@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "guides/triangle_mesh.h"
 #include "guides/types.h"
@@ -17,6 +18,7 @@ struct Ray {
     Vec3f direction = Vec3f::UnitZ();  ///< unit
     float near = 0;                    ///< cm along the ray: hits before it do not count
     float far = std::numeric_limits<float>::infinity();  ///< cm
+    float time = 0;  ///< 0..1, first to last time of a moving scene
 };
 
 /// Where a ray first meets something.
@@ -50,6 +52,15 @@ struct HairSceneOptions {
     int tessellation = 4;
 };
 
+/// What there is at one time.
+struct SceneTime {
+    const Curves* curves = nullptr;      ///< required
+    const TriangleMesh* mesh = nullptr;  ///< at all times or at none
+};
+
+/// The most times of a moving scene; Embree's own limit.
+inline constexpr std::size_t kMostSceneTimes = 129;
+
 /// Built once, then read by any number of threads. The control points are shared, not
 /// copied: `curves` must outlive the scene. The mesh is copied.
 class HairScene {
@@ -58,6 +69,12 @@ class HairScene {
     /// its array or a UV is not finite, std::runtime_error where Embree fails.
     explicit HairScene(const Curves& curves, const TriangleMesh* mesh = nullptr,
                        const HairSceneOptions& options = {});
+    /// A scene that moves: `times` are evenly spread from ray time 0 to 1, and control
+    /// points and vertices are linear between them. One time is a scene that stands
+    /// still. Throws also where there is no time or more than kMostSceneTimes, or where
+    /// times differ in anything but places, widths and UVs (those of the first count).
+    explicit HairScene(std::span<const SceneTime> times,
+                       const HairSceneOptions& options = {});
     ~HairScene();
     HairScene(HairScene&&) noexcept;
     HairScene& operator=(HairScene&&) noexcept;
@@ -65,7 +82,9 @@ class HairScene {
     std::optional<Hit> intersect(const Ray& ray) const;
     bool occluded(const Ray& ray) const;
 
-    /// Box around everything, cm; empty if there is nothing.
+    /// Whether there is more than one time.
+    bool moves() const;
+    /// Box around everything at all times, cm; empty if there is nothing.
     Eigen::AlignedBox3f bounds() const;
     /// What Embree holds for this scene, without the shared control points.
     std::size_t bvh_bytes() const;

@@ -8,7 +8,8 @@
 namespace lancret {
 namespace {
 
-/// Pairs of random dimensions: two for the pixel, then as many as this for each bounce.
+/// Pairs of random dimensions: two for place and time, then as many as this for each
+/// bounce.
 constexpr std::uint32_t kCameraPairs = 2, kBouncePairs = 4;
 
 /// A path on its way: what it has gathered, and what it still lets through.
@@ -27,6 +28,7 @@ bool scatter(const RenderScene& scene, const Hit& hit, const Bsdf& bsdf,
     const auto start = [&](const Vec3f& direction) {
         Ray ray;
         ray.direction = direction;
+        ray.time = path.ray.time;
         const float rounding = 1e-5f * (1 + hit.position.cwiseAbs().maxCoeff());
         if (hit.kind == Hit::Kind::strand) {
             ray.origin = hit.position;

@@ -138,9 +138,22 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
         render.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     set(out.render.path.max_depth, render.integer("max_depth", 1, 10000));
     set(out.background, colour(render, "background", 1e6));
+    out.shutter = render.pair("shutter");
+    if (out.shutter && !is_shutter(*out.shutter)) {
+        render.fail("shutter",
+                    "'shutter' is [opens, closes] in frames after the frame, such as [0, "
+                    "0.5], within 1000 and not closed before it opens");
+    }
+    set(out.motion_samples,
+        render.integer("motion_samples", 2, std::int64_t(kMostSceneTimes)));
 }
 
 }  // namespace
+
+bool is_shutter(const Vec2& shutter) {
+    // Written so that a NaN is none.
+    return shutter.cwiseAbs().maxCoeff() <= 1000 && shutter.x() <= shutter.y();
+}
 
 PreviewSettings read_preview_settings(const TomlTable& toml, const Vec3f& up) {
     PreviewSettings out;

@@ -19,9 +19,15 @@ struct PreviewSettings {
                                 ///< to the side and above
     float field_of_view = 0.5236f;  ///< vertical, radian (30 degrees)
     float margin = 1.15f;
-    std::optional<Lights> lights;               ///< none: the default rig
+    std::optional<Lights> lights;  ///< none: the default rig
+    std::optional<Vec2> shutter;   ///< frames after the frame, opens <= closes; none: the
+                                   ///< frame as it is, without motion blur
+    int motion_samples = 3;        ///< times in the shutter, 2 to kMostSceneTimes
     Vec3f background = Vec3f::Constant(0.18f);  ///< linear, behind a PNG
 };
+
+/// Whether a shutter may be: within a thousand frames, and not closed before it opens.
+bool is_shutter(const Vec2& shutter);
 
 /// Reads the tables [camera], [material], [light] and [render]; `up` is the scene's.
 /// Throws InputError, also for a texture or environment that cannot be read.

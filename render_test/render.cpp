@@ -23,7 +23,9 @@ void render_pixel(const RenderScene& scene, const Camera& camera,
         Sampler sampler(settings.seed, std::uint32_t(pixel), std::uint32_t(s));
         const Vec2f place =
             (Vec2f(float(x), float(y)) + sampler.next()).cwiseQuotient(size);
-        const Ray ray = camera.ray(place);
+        Ray ray = camera.ray(place);
+        // One time a path; a pixel's times are spread evenly over the shutter.
+        if (scene.geometry->moves()) ray.time = sampler.next().x();
         const PathResult path = trace_path(scene, settings.path, ray, sampler);
         radiance += path.radiance;
         if (path.first) {

@@ -32,4 +32,12 @@ AxisPoint axis_point(const Curves& curves, std::uint32_t segment, float u) {
             6 * u * t * (b - a) + t * (t - 2 * u) * da + u * (u - 2 * t) * db};
 }
 
+// The axis is linear in its control points, and so blending it blends them.
+AxisPoint axis_point(const Curves& from, const Curves& to, float share,
+                     std::uint32_t segment, float u) {
+    const AxisPoint a = axis_point(from, segment, u), b = axis_point(to, segment, u);
+    return {(1 - share) * a.value + share * b.value,
+            (1 - share) * a.derivative + share * b.derivative};
+}
+
 }  // namespace lancret

@@ -16,4 +16,8 @@ struct AxisPoint {
 /// The axis at `u` (0..1) of a segment (counted over all strands).
 AxisPoint axis_point(const Curves& curves, std::uint32_t segment, float u);
 
+/// The same `share` (0..1) of the way from one time's control points to another's.
+AxisPoint axis_point(const Curves& from, const Curves& to, float share,
+                     std::uint32_t segment, float u);
+
 }  // namespace lancret

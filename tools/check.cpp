@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "procedural/check_figures.h"
 #include "procedural/check_frames.h"
 #include "procedural/check_report.h"
 #include "tools/command.h"
@@ -38,6 +39,24 @@ struct FramesCost {
     Curves curves;
 };
 
+/// The children of a frame, kept for the step to the next.
+struct KeptFrame {
+    double frame = 0;
+    Binding binding;
+    GuideProfiles<double> profiles;
+    std::vector<RigidPose> carriers;
+
+    Moment moment() const { return {&binding, &profiles, carriers}; }
+};
+
+KeptFrame kept(const Generator& generator, const FrameState& state, double frame) {
+    const bool rigid = std::holds_alternative<RigidPose>(state.pose);
+    const Binding& binding = generator.binding;
+    return {frame, binding,
+            guide_profiles<double>(state.guides, generator.profiles.count),
+            carriers(state.pose, binding.roots.places, rigid ? 1 : binding.size())};
+}
+
 FramesReport check_frames(const CheckOptions& options, const Job& job,
                           const ChosenFrames& chosen, Generator& generator,
                           FramesCost& cost) {
@@ -46,7 +65,8 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
     const RestPlaces rest = prepare_frames(generator, chosen, job);
     FramesReport out;
     ProgressBar bar("check");
-    for (const int frame : chosen.frames) {
+    std::optional<KeptFrame> before;
+    for (const double frame : chosen.frames) {
         const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
         Stopwatch watch;
         cost.curves = expand(generator.binding, state.profiles, job.groom.expand);
@@ -60,6 +80,16 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
         // they are read.
         guides.root_is_asked = chosen.info.has_rest;
         add_frame(out, frame, std::move(children), guides);
+        if (chosen.frames.size() > 1) {
+            KeptFrame now = kept(generator, state, frame);
+            if (before) {
+                add_step(out, before->frame, frame,
+                         temporal_check(before->moment(), now.moment(),
+                                        job.groom.expand.blend),
+                         job.groom.expand.blend);
+            }
+            before = std::move(now);
+        }
         cost.check += watch.lap();
         bar.show(double(out.frames.size()) / double(chosen.frames.size()));
     }
@@ -90,7 +120,10 @@ int check_groom(const CheckOptions& options) {
     nlohmann::json stats = generator_stats(generator);
     add_curve_stats(stats, cost.curves, cost.expand);
     stats["seconds"]["check"] = cost.check;
-    if (cached) stats["frames"] = chosen.frames;
+    if (cached) {
+        for (const double frame : chosen.frames)
+            stats["frames"].push_back(frame_json(frame));
+    }
     write_stats(options.groom.stats, std::move(stats));
     return pass ? kFine : kCheckFailed;
 }
@@ -123,7 +156,8 @@ void add_check(CLI::App& app, int& exit_code) {
         ->type_name("X")
         ->check(CLI::NonNegativeNumber);
     command->footer(
-        "Of a cache all frames are checked, and its guides too.\n"
+        "Of a cache all frames are checked, its guides too, and how far children move "
+        "from frame to frame beside their guides.\n"
         "Exit code 1 when a strand goes beyond a tolerance.\nExamples:\n"
         "  lancret check examples/made_groom.toml --json report.json\n"
         "  lancret check groom.hair --scalp head.obj --guides 400 --strands 100000\n"

@@ -2,16 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <regex>
 
 #include "guides/errors.h"
+#include "guides/guides_between.h"
 #include "procedural/emission.h"
 
 namespace lancret {
 
 void add_frame_option(CLI::App& command, FrameOptions& options) {
-    command.add_option("--frame", options.frame, "one frame of a cache, by its number")
+    command
+        .add_option("--frame", options.frame,
+                    "one frame of a cache, by its number; 12.25 lies between two")
         ->type_name("N");
 }
 
@@ -60,19 +65,19 @@ ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all
         return out;
     }
     out.info = guide_cache_info(out.cache);
-    const int first = out.info.first_frame, last = first + (out.info.frames - 1);
-    std::pair<int, int> range{first, all ? last : first};
+    const int first = out.first(), last = out.last();
+    std::pair<double, double> range{first, all ? last : first};
     if (options.frame) range = {*options.frame, *options.frame};
     if (!options.frames.empty()) range = parse_frames(options.frames, option);
-    if (range.first < first || range.second > last) {
-        const int missing = range.first < first ? range.first : range.second;
+    // Written so that a NaN is missing.
+    if (!(range.first >= first && range.second <= last)) {
+        const double missing = range.second > last ? range.second : range.first;
         throw InputError(fmt::format(
             "{}: {} has no frame {}; it has {}", option, out.cache.string(), missing,
             first == last ? fmt::format("frame {} alone", first)
                           : fmt::format("frames {} to {}", first, last)));
     }
-    for (std::int64_t f = range.first; f <= range.second; ++f)
-        out.frames.push_back(int(f));
+    for (double f = range.first; f <= range.second; ++f) out.frames.push_back(f);
     return out;
 }
 
@@ -106,13 +111,38 @@ RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
     return rest;
 }
 
+Guides guides_at(const ChosenFrames& chosen, const RestPlaces& rest, const Job& job,
+                 double frame) {
+    const auto read = [&](int f) {
+        return read_guide_cache(chosen.cache, f - chosen.first());
+    };
+    const int whole = int(std::floor(frame));
+    const double share = frame - whole;
+    if (share == 0) return read(whole);
+    const Guides from = read(whole), to = read(whole + 1);
+    std::optional<Guides> before, after;
+    if (whole > chosen.first()) before = read(whole - 1);
+    if (whole + 1 < chosen.last()) after = read(whole + 2);
+    const GuideKeys keys{&from, &to, before ? &*before : nullptr,
+                         after ? &*after : nullptr};
+    if (!job.pose_at) return guides_between(keys, share);
+    const auto carriers_at = [&](double f) {
+        return carriers(job.pose_at(f), rest.guide_places, from.size());
+    };
+    RootCarriers roots{
+        carriers_at(whole), carriers_at(whole + 1), {}, {}, carriers_at(frame)};
+    if (before) roots.before = carriers_at(whole - 1);
+    if (after) roots.after = carriers_at(whole + 2);
+    return guides_between(keys, share, InTime::frames, &roots);
+}
+
 FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
-                       const ChosenFrames& chosen, const Job& job, int frame) {
+                       const ChosenFrames& chosen, const Job& job, double frame) {
     FrameState out;
     if (chosen.cache.empty()) {
         out.guides = generator.source.guides;
     } else {
-        out.guides = read_guide_cache(chosen.cache, frame - chosen.info.first_frame);
+        out.guides = guides_at(chosen, rest, job, frame);
         if (job.pose_at) out.pose = job.pose_at(frame);
     }
     out.scalp_roots = pose_binding(generator.binding, rest, out.pose);
@@ -120,23 +150,56 @@ FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
     return out;
 }
 
-std::filesystem::path picture_path(const std::filesystem::path& output, int frame,
+ShutterTimes shutter_times(const ChosenFrames& chosen, double frame,
+                           const std::optional<Vec2>& shutter, int samples) {
+    if (!shutter || chosen.cache.empty()) return {{frame}, false};
+    const double first = chosen.first(), last = chosen.last();
+    const double opens = frame + shutter->x(), closes = frame + shutter->y();
+    const double from = std::clamp(opens, first, last),
+                 to = std::clamp(closes, first, last);
+    ShutterTimes out{{from}, from != opens || to != closes};
+    if (to > from) {
+        for (int i = 1; i < samples; ++i) {
+            out.frames.push_back(
+                i + 1 == samples ? to : from + (to - from) * i / (samples - 1));
+        }
+    }
+    return out;
+}
+
+namespace {
+
+/// The number with at least `width` characters before its decimals, if any.
+std::string padded(double frame, int width) {
+    std::string text = fmt::format("{:.6f}", frame);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    const std::size_t whole = std::min(text.find('.'), text.size());
+    if (whole < std::size_t(width)) {
+        text.insert(text[0] == '-' ? 1 : 0, std::size_t(width) - whole, '0');
+    }
+    return text;
+}
+
+}  // namespace
+
+std::filesystem::path picture_path(const std::filesystem::path& output, double frame,
                                    bool several) {
     const std::string name = output.filename().string();
     static const std::regex kPattern("#+|%(0?)([0-9]{0,2})d");
     std::smatch found;
     if (!std::regex_search(name, found, kPattern)) {
         if (!several) return output;
-        return output.parent_path() / fmt::format("{}.{:04}{}", output.stem().string(),
-                                                  frame, output.extension().string());
+        return output.parent_path() / (output.stem().string() + "." + padded(frame, 4) +
+                                       output.extension().string());
     }
     const bool hashes = found.str()[0] == '#';
     const int width = hashes                  ? int(found.length())
                       : found[2].length() > 0 ? std::stoi(found[2])
                                               : 1;
     // %4d pads with blanks in C; a file's name is better off with zeros.
-    return output.parent_path() / fmt::format("{}{:0{}}{}", found.prefix().str(), frame,
-                                              width, found.suffix().str());
+    return output.parent_path() /
+           (found.prefix().str() + padded(frame, width) + found.suffix().str());
 }
 
 }  // namespace lancret

@@ -12,9 +12,9 @@
 
 namespace lancret {
 
-/// --frame N and --frames A-B; at most one of them.
+/// --frame N (12 or 12.25) and --frames A-B; at most one of them.
 struct FrameOptions {
-    std::optional<int> frame;
+    std::optional<double> frame;  ///< may lie between two
     std::string frames;
 
     bool given() const { return frame || !frames.empty(); }
@@ -28,7 +28,10 @@ void add_frames_options(CLI::App& command, FrameOptions& options);
 struct ChosenFrames {
     std::filesystem::path cache;  ///< empty: the groom is no cache and holds still
     GuideCacheInfo info;          ///< of the cache
-    std::vector<int> frames;      ///< at least one; where there is no cache, {0}
+    std::vector<double> frames;   ///< at least one; where there is no cache, {0}
+
+    int first() const { return info.first_frame; }
+    int last() const { return info.first_frame + (info.frames - 1); }
 };
 
 /// "12" or "1-96"; {first, last}. Throws InputError that begins with `where`.
@@ -58,12 +61,29 @@ RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
 /// before the first frame. Where the job knows no motion, the scalp stays at rest. Throws
 /// InputError.
 FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
-                       const ChosenFrames& chosen, const Job& job, int frame);
+                       const ChosenFrames& chosen, const Job& job, double frame);
+
+/// The guides of a cache at a frame or between two: see guides_between. Where the job
+/// knows how the scalp moves, the roots follow it. Throws InputError.
+Guides guides_at(const ChosenFrames& chosen, const RestPlaces& rest, const Job& job,
+                 double frame);
+
+/// The times at which a picture of `frame` needs its strands, as frames.
+struct ShutterTimes {
+    std::vector<double> frames;  ///< evenly spread; one where nothing moves
+    bool cut = false;            ///< the cache ends inside the shutter, which ends there
+};
+
+/// The times of a shutter that is open from `shutter[0]` to `shutter[1]` frames after
+/// `frame`, `samples` (>= 2) of them; the frame alone without a shutter or a cache.
+ShutterTimes shutter_times(const ChosenFrames& chosen, double frame,
+                           const std::optional<Vec2>& shutter, int samples);
 
 /// The file of a frame: "head.####.png" and "head.%04d.png" have the number in place of
 /// the pattern; where there is none and `several` are written, it goes before the
-/// extension, "head.0012.png".
-std::filesystem::path picture_path(const std::filesystem::path& output, int frame,
+/// extension, "head.0012.png". Of a part of a frame the whole part is padded and the
+/// decimals (six at most) follow it: "head.0012.25.png".
+std::filesystem::path picture_path(const std::filesystem::path& output, double frame,
                                    bool several);
 
 }  // namespace lancret

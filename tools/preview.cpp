@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "guides/errors.h"
+#include "procedural/check_figures.h"
 #include "render_test/embree_scene.h"
 #include "tools/command.h"
 #include "tools/frames.h"
@@ -19,8 +21,8 @@ namespace {
 struct PreviewOptions {
     GroomOptions groom;
     FrameOptions frames;
-    std::string size, output;
-    std::optional<int> samples;
+    std::string size, shutter, output;
+    std::optional<int> samples, motion_samples;
 };
 
 /// What is seen of the head at that time.
@@ -51,7 +53,7 @@ std::vector<std::filesystem::path> outputs_of(const PreviewOptions& options,
                                               const ChosenFrames& chosen) {
     std::vector<std::filesystem::path> out;
     const bool several = chosen.frames.size() > 1;
-    for (const int frame : chosen.frames) {
+    for (const double frame : chosen.frames) {
         out.push_back(options.frames.given()
                           ? picture_path(options.output, frame, several)
                           : std::filesystem::path(options.output));
@@ -67,20 +69,38 @@ struct PictureCost {
     std::size_t bvh_bytes = 0;
 };
 
+/// The children and the head at each time of a shutter.
+struct ShownTime {
+    Curves curves;
+    std::optional<TriangleMesh> body;
+};
+
 /// Grows the children of a frame and shows them. `scene` holds all but the geometry.
-PictureCost picture(const Generator& generator, const FrameState& state, const Job& job,
-                    const Camera& camera, RenderScene& scene, const std::string& title,
-                    const std::filesystem::path& output, Curves& curves) {
+/// `moments` are those of the picture, one without motion blur.
+PictureCost picture(Generator& generator, const RestPlaces& rest,
+                    const ChosenFrames& chosen, const std::vector<double>& times,
+                    const Job& job, const Camera& camera, RenderScene& scene,
+                    const std::string& title, const std::filesystem::path& output,
+                    std::vector<ShownTime>& moments) {
     PictureCost cost;
-    Stopwatch watch;
-    curves = expand(generator.binding, state.profiles, job.groom.expand);
-    cost.expand = watch.lap();
-    const std::optional<TriangleMesh> body = body_of(generator.source, state.pose);
-    const HairScene geometry(curves, body ? &*body : nullptr);
+    moments.clear();
+    for (const double frame : times) {
+        const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
+        Stopwatch watch;
+        moments.push_back(
+            {expand(generator.binding, state.profiles, job.groom.expand), {}});
+        cost.expand += watch.lap();
+        moments.back().body = body_of(generator.source, state.pose);
+    }
+    std::vector<SceneTime> scene_times;
+    for (const ShownTime& m : moments) {
+        scene_times.push_back({&m.curves, m.body ? &*m.body : nullptr});
+    }
+    const HairScene geometry(scene_times);
     cost.bvh = geometry.build_seconds();
     cost.bvh_bytes = geometry.bvh_bytes();
     scene.geometry = &geometry;
-    watch.lap();
+    Stopwatch watch;
     ProgressBar bar(title);
     const Image image =
         render(scene, camera, job.preview.render, [&](double done) { bar.show(done); });
@@ -90,15 +110,45 @@ PictureCost picture(const Generator& generator, const FrameState& state, const J
     return cost;
 }
 
+/// "0,0.5" or "-0.25,0.25". Throws InputError.
+Vec2 parse_shutter(const std::string& text) {
+    Vec2 out;
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const bool good = CLI::detail::lexical_cast(text.substr(0, comma), out.x()) &&
+                      comma < text.size() &&
+                      CLI::detail::lexical_cast(text.substr(comma + 1), out.y());
+    if (!good || !is_shutter(out)) {
+        throw InputError(fmt::format(
+            "--shutter: '{}' is no shutter; give when it opens and closes, in frames "
+            "after the frame, such as 0,0.5",
+            text));
+    }
+    return out;
+}
+
+/// The options laid over what the groom says of its picture.
+void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
+              PreviewSettings& settings) {
+    RenderSettings& render = settings.render;
+    if (!options.size.empty()) {
+        std::tie(render.width, render.height) = parse_size(options.size);
+    }
+    if (options.samples) render.samples = *options.samples;
+    if (options.motion_samples) settings.motion_samples = *options.motion_samples;
+    if (options.shutter.empty()) return;
+    settings.shutter = parse_shutter(options.shutter);
+    if (chosen.cache.empty()) {
+        throw InputError(
+            "--shutter: the groom is no cache (.h5) and so holds still; simulate one");
+    }
+}
+
 int preview(const PreviewOptions& options) {
     Job job = read_job(options.groom);
     const ChosenFrames chosen = chosen_frames(options.frames, job, false);
     const auto outputs = outputs_of(options, job, chosen);
-    RenderSettings& settings = job.preview.render;
-    if (!options.size.empty()) {
-        std::tie(settings.width, settings.height) = parse_size(options.size);
-    }
-    if (options.samples) settings.samples = *options.samples;
+    lay_over(options, chosen, job.preview);
+    const RenderSettings& settings = job.preview.render;
 
     Generator generator = run_generator(job.groom);
     const RestPlaces rest = prepare_frames(generator, chosen, job);
@@ -116,37 +166,50 @@ int preview(const PreviewOptions& options) {
 
     nlohmann::json stats = generator_stats(generator), frames = nlohmann::json::array();
     PictureCost total;
-    Curves curves;
+    std::vector<ShownTime> moments;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        const int frame = chosen.frames[i];
-        const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
+        const double frame = chosen.frames[i];
+        const ShutterTimes times =
+            shutter_times(chosen, frame, job.preview.shutter, job.preview.motion_samples);
+        if (times.cut) {
+            fmt::print(
+                stderr,
+                "lancret: warning: frame {}: the cache has frames {} to {}, and the "
+                "shutter is cut to {} to {}\n",
+                frame, chosen.first(), chosen.last(), times.frames.front(),
+                times.frames.back());
+        }
         const std::string title =
             outputs.size() == 1
                 ? "render"
                 : fmt::format("frame {} ({} of {})", frame, i + 1, outputs.size());
-        const PictureCost cost =
-            picture(generator, state, job, camera, scene, title, outputs[i], curves);
+        const PictureCost cost = picture(generator, rest, chosen, times.frames, job,
+                                         camera, scene, title, outputs[i], moments);
         total.expand += cost.expand;
         total.bvh += cost.bvh;
         total.render += cost.render;
         total.bvh_bytes = std::max(total.bvh_bytes, cost.bvh_bytes);
         frames.push_back(
-            {{"frame", frame},
+            {{"frame", frame_json(frame)},
              {"image", outputs[i].string()},
+             {"times", times.frames},
              {"seconds",
               {{"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
         fmt::print(
             "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
             "expand {:.3f}, BVH {:.2f}, render {:.1f}; {:.0f} MB\n",
-            outputs[i].string(), curves.strands, generator.source.guides.size(),
-            generator.seconds.load, generator.seconds.fit, generator.seconds.bind,
-            cost.expand, cost.bvh, cost.render, double(peak_rss()) / 1e6);
+            outputs[i].string(), moments[0].curves.strands,
+            generator.source.guides.size(), generator.seconds.load, generator.seconds.fit,
+            generator.seconds.bind, cost.expand, cost.bvh, cost.render,
+            double(peak_rss()) / 1e6);
         std::fflush(stdout);
     }
-    add_curve_stats(stats, curves, total.expand);
+    add_curve_stats(stats, moments[0].curves, total.expand);
     stats["seconds"]["bvh"] = total.bvh;
     stats["seconds"]["render"] = total.render;
     stats["bytes"]["bvh"] = total.bvh_bytes;
+    stats["bytes"]["per_time"] =
+        moments[0].curves.points.bytes() + moments[0].curves.tangents.bytes();
     stats["image"] = {{"width", settings.width},
                       {"height", settings.height},
                       {"samples", settings.samples}};
@@ -169,6 +232,16 @@ void add_preview(CLI::App& app, int& exit_code) {
         ->type_name("WxH")
         ->check(not_empty());
     command
+        ->add_option("--shutter", options->shutter,
+                     "motion blur: when it opens and closes, in frames after the frame")
+        ->type_name("A,B")
+        ->check(not_empty());
+    command
+        ->add_option("--motion-samples", options->motion_samples,
+                     "times in the shutter at which the strands are grown")
+        ->type_name("N")
+        ->check(CLI::Range(2, int(kMostSceneTimes)));
+    command
         ->add_option("-o,--output", options->output,
                      "the picture: .exr or .png; of several frames, head.####.png")
         ->required()
@@ -180,6 +253,7 @@ void add_preview(CLI::App& app, int& exit_code) {
         "  lancret preview groom.hair --scalp head.obj --guides 400 --strands 100000 -o "
         "head.exr\n"
         "  lancret preview cache.h5 --frames 1-96 -o head.####.png\n"
+        "  lancret preview cache.h5 --frame 12 --shutter 0,0.5 -o blurred.png\n"
         "  lancret preview groom.hair --guides 5% --strands 5000 --size 640x640 "
         "--samples 16 "
         "-o quick.png");

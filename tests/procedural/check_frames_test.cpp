@@ -68,6 +68,33 @@ TEST(CheckFrames, GuidesOffTheScalpFailOnlyWhereThatIsAsked) {
     EXPECT_FALSE(strict.pass());
 }
 
+TEST(CheckFrames, AStepBeyondTheBlendsBoundFailsTheRun) {
+    const auto run = [](double amplification, Blend blend) {
+        FramesReport report;
+        add_frame(report, 3, report_of(0), {});
+        add_frame(report, 3.5, report_of(0), {});
+        TemporalReport motion;
+        motion.amplification = amplification;
+        motion.child = 1;
+        motion.motion = {amplification, 1};
+        add_step(report, 3, 3.5, motion, blend);
+        return report;
+    };
+    EXPECT_TRUE(run(1, Blend::position).pass());
+    EXPECT_TRUE(run(35, Blend::option1).pass());  // has no bound, and says so
+    const FramesReport beyond = run(1.01, Blend::position);
+    EXPECT_FALSE(beyond.pass());
+    EXPECT_THAT(frames_table(beyond), HasSubstr("FAIL: 1 of 1 steps go beyond the "
+                                                "blend's bound, the first is 3 to 3.5"));
+    const nlohmann::json json = frames_json(beyond)["temporal"];
+    EXPECT_EQ(json["amplification"], 1.01);
+    EXPECT_EQ(json["bound"], 1);
+    EXPECT_EQ(json["to"], 3.5);
+    EXPECT_TRUE(frames_json(run(35, Blend::option1))["temporal"]["bound"].is_null());
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(run(nan, Blend::position).pass());
+}
+
 TEST(CheckGuides, FindsWhatIsOffAndByHowMuch) {
     const Guides rest = test::random_guides(5, 3, 1);
     const auto check_of = [&](auto change) {

@@ -1,5 +1,6 @@
 #include "render_test/preview_settings.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/guides/temporary_folder.h"
@@ -32,6 +33,22 @@ TEST(PreviewSettings, StrengthTimesTheSkyIsTheRadianceSeen) {
     const PreviewSettings settings = read_preview_settings(toml, Vec3f::UnitY());
     ASSERT_TRUE(settings.lights);
     EXPECT_LT((settings.lights->radiance(Vec3f::UnitX()) - Vec3f(2, 4, 6)).norm(), 1e-6f);
+}
+
+TEST(PreviewSettings, AShutterIsTwoFramesInOrder) {
+    const TomlTable toml = TomlTable::from_text(
+        "[render]\nshutter = [-0.25, 0.5]\nmotion_samples = 5\n", "g.toml");
+    const PreviewSettings settings = read_preview_settings(toml, Vec3f::UnitY());
+    EXPECT_EQ(settings.shutter, Vec2(-0.25, 0.5));
+    EXPECT_EQ(settings.motion_samples, 5);
+    using testing::StartsWith;
+    EXPECT_EQ(error_of("[render]\nshutter = 0.5\n"),
+              "g.toml:2: 'shutter' must be [a, b], two numbers");
+    for (const char* wrong : {"[1, 0]", "[0, 2000]"}) {
+        EXPECT_THAT(error_of(std::string("[render]\nshutter = ") + wrong + "\n"),
+                    StartsWith("g.toml:2: 'shutter' is [opens, closes]"));
+    }
+    EXPECT_NE(error_of("[render]\nmotion_samples = 1\n"), "");
 }
 
 }  // namespace

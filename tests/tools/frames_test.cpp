@@ -130,6 +130,88 @@ TEST(Frames, ExpandGrowsTheFrameOnTheRootsOfTheRest) {
     EXPECT_EQ(strands(f.cache, "11").points, first.points);
 }
 
+TEST(Frames, BetweenFramesHairIsBetween) {
+    const Bent f;
+    const auto tips = [&](const std::string& frame) {
+        const std::string hair = f.at("out.hair");
+        EXPECT_THAT(lancret({"expand", f.cache, "--frame", frame, "--blend", "position",
+                             "-o", hair}),
+                    works());
+        const Strands strands = read_hair(hair);
+        Eigen::Matrix3Xf out(3, strands.size());
+        for (std::size_t i = 0; i < strands.size(); ++i)
+            out.col(Eigen::Index(i)) = strands.strand(i).back();
+        return out;
+    };
+    const auto a = tips("12"), b = tips("12.25"), c = tips("13");
+    const float whole = (c - a).colwise().norm().mean(),
+                part = (b - a).colwise().norm().mean();
+    // Guides bend evenly more: a quarter of the way, but for the arcs that tips go on.
+    EXPECT_GT(part, 0.2f * whole);
+    EXPECT_LT(part, 0.35f * whole);
+    EXPECT_THAT(lancret({"check", f.cache, "--frame", "12.25", "--distance", "1"}),
+                works());
+    EXPECT_THAT(f.preview({"--frame", "12.25", "--samples", "1", "-o", f.at("p.##.png")}),
+                works());
+    EXPECT_TRUE(std::filesystem::exists(f / "p.12.25.png"));
+    EXPECT_THAT(f.preview({"--frame", "13.5", "-o", f.at("a.png")}),
+                refuses_with("no frame 13.5; it has frames 11 to 13"));
+    for (const char* number : {"nan", "inf", "-1e300"}) {
+        EXPECT_THAT(f.preview({"--frame", number, "-o", f.at("a.png")}),
+                    refuses_with("--frame"))
+            << number;
+    }
+}
+
+TEST(Frames, AShutterBlursWhatMoves) {
+    const Bent f;
+    const auto picture = [&](std::vector<std::string> words, const char* said) {
+        words.insert(words.end(), {"-o", f.at("a.png"), "--stats", f.at("stats.json")});
+        const CommandRun run = f.preview(words);
+        EXPECT_THAT(run, works());
+        EXPECT_THAT(run.err, HasSubstr(said));
+        return read_bytes(f / "a.png");
+    };
+    const auto times = [&] {
+        return json_of(f.at("stats.json"))["frames"][0]["times"]
+            .get<std::vector<double>>();
+    };
+    const std::string still = picture({"--frame", "12"}, "");
+    const std::string blurred = picture(
+        {"--frame", "12", "--shutter", "-0.25,0.25", "--motion-samples", "5"}, "");
+    EXPECT_EQ(times(), (std::vector<double>{11.75, 11.875, 12, 12.125, 12.25}));
+    EXPECT_NE(blurred, still);
+    // A shutter that opens and closes at once is none.
+    EXPECT_EQ(picture({"--frame", "12", "--shutter", "0,0"}, ""), still);
+    EXPECT_EQ(times(), std::vector<double>{12});
+    // Where the cache ends, so does the shutter.
+    picture({"--frame", "13", "--shutter", "-0.5,0.5"},
+            "warning: frame 13: the cache has frames 11 to 13, and the shutter is cut "
+            "to 12.5 to 13");
+    EXPECT_EQ(times(), (std::vector<double>{12.5, 12.75, 13}));
+    for (const char* text : {"", "0", "0,", "0.5,0", "0,1,2", "a,b", "nan,1", "0,1e9"}) {
+        EXPECT_THAT(f.preview({"--shutter", text, "-o", f.at("b.png")}),
+                    refuses_with("--shutter"))
+            << text;
+    }
+    EXPECT_THAT(lancret({"preview", f.made, "--shutter", "0,1", "-o", f.at("b.png")}),
+                refuses_with("--shutter: the groom is no cache"));
+}
+
+TEST(Frames, CheckTellsHowFarChildrenMoveBesideTheirGuides) {
+    const Bent f;
+    const std::string json = f.at("check.json");
+    const CommandRun run =
+        lancret({"check", f.cache, "--blend", "position", "--json", json, "--distance",
+                 "9", "--emitted-length", "1", "--length", "1"});
+    const auto temporal = json_of(json)["temporal"];
+    ASSERT_EQ(temporal["steps"].size(), 2u);
+    EXPECT_EQ(temporal["bound"], 1);
+    EXPECT_LE(temporal["amplification"], 1 + 1e-6);
+    EXPECT_GT(temporal["amplification"], 0.5);
+    EXPECT_THAT(run.out, HasSubstr("child's step over its guides'"));
+}
+
 TEST(Frames, CheckProvesEveryFrameAndNamesTheWorst) {
     const Bent f;
     const std::string json = f.at("check.json");
