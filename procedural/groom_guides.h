@@ -21,19 +21,22 @@ using StageCallback = std::function<void(const char* stage)>;
 /// The guides of a groom, at rest, and what they grew out of.
 struct GroomGuides {
     Guides guides;
-    std::vector<FitReport> fits;        ///< [guides]; empty where the file held guides
-    std::vector<Vec3f> normals;         ///< [guides], of the surface at their roots
-    std::vector<MeshPoint> places;      ///< [guides], of their roots on the scalp, if any
-    std::optional<Scalp> scalp;         ///< what hair grows on; nothing without a surface
-    std::optional<TriangleMesh> body;   ///< what is seen of it, where that is more
-    bool whole_scalp = false;           ///< hair grows everywhere on the scalp
-    std::vector<Vec3> grown_roots;      ///< of every strand of the groom, cm
-    std::vector<Vec3> grown_tangents;   ///< there
-    StageSeconds seconds;               ///< load and fit
-    std::size_t groom_strands = 0;      ///< in the groom's file
-    std::size_t snapped_roots = 0;      ///< guides whose root was off the scalp
-    double largest_snap = 0;            ///< cm
-    std::vector<std::string> warnings;  ///< a line each
+    std::vector<FitReport> fits;       ///< [guides]; empty where the file held guides
+    std::vector<Vec3f> normals;        ///< [guides], of the surface at their roots
+    std::vector<MeshPoint> places;     ///< [guides], of their roots on the scalp, if any
+    std::optional<Scalp> scalp;        ///< what hair grows on; nothing without a surface
+    std::optional<TriangleMesh> body;  ///< what is seen of it, where that is more
+    bool whole_scalp = false;          ///< hair grows everywhere on the scalp
+    std::vector<Vec3> grown_roots;     ///< of every strand of the groom, cm
+    std::vector<Vec3> grown_tangents;  ///< there
+    Regions regions;                   ///< of the groom's strands
+    std::vector<std::uint32_t> guide_regions;  ///< [guides], or empty: all are one
+    std::vector<Polyline> partings;            ///< cm, on the scalp where there is one
+    StageSeconds seconds;                      ///< load and fit
+    std::size_t groom_strands = 0;             ///< in the groom's file
+    std::size_t snapped_roots = 0;             ///< guides whose root was off the scalp
+    double largest_snap = 0;                   ///< cm
+    std::vector<std::string> warnings;         ///< a line each
 };
 
 /// Loads a groom, chooses its guides by farthest point and fits them. A guide cache (.h5)

@@ -38,6 +38,21 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
+/// Three finite numbers in a list; nothing for anything else.
+std::optional<Vec3> vector_of(const toml::node& node) {
+    const toml::array* array = node.as_array();
+    if (!array || array->size() != 3) return std::nullopt;
+    Vec3 out;
+    for (int i = 0; i < 3; ++i) {
+        const auto number = (*array)[i].value<double>();
+        if (!(*array)[i].is_number() || !number || !std::isfinite(*number)) {
+            return std::nullopt;
+        }
+        out[i] = *number;
+    }
+    return out;
+}
+
 }  // namespace
 
 std::optional<std::string_view> nearest_name(std::string_view word,
@@ -205,13 +220,28 @@ std::optional<Vec3> TomlTable::vector(std::string_view key) const {
     const toml::array* array = value->as_array();
     if (!array || array->size() != 3)
         fail(key, fmt::format("'{}' must be [x, y, z]", key));
-    Vec3 out;
-    for (int i = 0; i < 3; ++i) {
-        const auto number = (*array)[i].value<double>();
-        if (!(*array)[i].is_number() || !number || !std::isfinite(*number)) {
-            fail(key, fmt::format("'{}' must be three numbers", key));
+    const auto out = vector_of(*value);
+    if (!out) fail(key, fmt::format("'{}' must be three numbers", key));
+    return out;
+}
+
+std::optional<std::vector<Vec3>> TomlTable::vectors(std::string_view key,
+                                                    std::size_t fewest) const {
+    const toml::node* value = node_->ask(key);
+    if (!value) return std::nullopt;
+    const toml::array* list = value->as_array();
+    if (!list || list->size() < fewest) {
+        fail(key,
+             fmt::format("'{}' must be a list of {} or more [x, y, z]", key, fewest));
+    }
+    std::vector<Vec3> out;
+    for (const toml::node& item : *list) {
+        const auto v = vector_of(item);
+        if (!v) {
+            fail(key, fmt::format("item {} of '{}' must be [x, y, z], three numbers",
+                                  out.size() + 1, key));
         }
-        out[i] = *number;
+        out.push_back(*v);
     }
     return out;
 }

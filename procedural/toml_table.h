@@ -42,6 +42,9 @@ class TomlTable {
     /// A path, relative to the file's folder.
     std::optional<std::filesystem::path> path(std::string_view key) const;
     std::optional<Vec3> vector(std::string_view key) const;
+    /// The list of [x, y, z] under `key`, of `fewest` or more.
+    std::optional<std::vector<Vec3>> vectors(std::string_view key,
+                                             std::size_t fewest) const;
     /// The index in `names` of the text under `key`.
     std::optional<std::size_t> choice(std::string_view key,
                                       std::span<const std::string_view> names) const;
