@@ -198,5 +198,36 @@ TEST(BindingContinuity, OnTheMadeHeadRoundItsParting) {
         "round its end");
 }
 
+TEST(BindingContinuity, BetweenTheRootsOfARealGroom) {
+    const std::filesystem::path data = LANCRET_SOURCE_DIR "/../shared/data";
+    if (!std::filesystem::exists(data / "sintel.hair")) {
+        GTEST_SKIP() << "no real grooms in " << data;
+    }
+    Groom groom;
+    groom.name = "sintel";
+    groom.strands_file = data / "sintel.hair";
+    groom.scalp_file = data / "sintel_head.obj";
+    groom.guides.number = 200;
+    groom.fit.segments = 3;
+    groom.strands = 100;
+    groom.intervals = 3;
+    const Generator sintel = make_generator(groom);
+    Walked walked{sintel.source.guides, sintel.source.normals, groom.bind};
+    const auto& roots = sintel.binding.roots;
+    for (std::size_t i = 0; i + 1 < 12; ++i) {
+        // Straight from child to child, with normals between theirs.
+        walked.expect_continuous(
+            [&](double t) {
+                const auto between = [&](const Vec3f& a, const Vec3f& b) -> Vec3 {
+                    return (1 - t) * a.cast<double>() + t * b.cast<double>();
+                };
+                return PathPoint{
+                    between(roots.positions[i], roots.positions[i + 1]),
+                    between(roots.normals[i], roots.normals[i + 1]).normalized()};
+            },
+            "from child to child", 400);
+    }
+}
+
 }  // namespace
 }  // namespace lancret

@@ -130,7 +130,8 @@ TEST(Reach, OfWholeSharesIsTheDistanceOfTheNextGuide) {
 TEST(Reach, OfPartialSharesIsBetweenThoseOfNoneAndOfAll) {
     // With half of guide 2 the place from 2 to 3 is filled by guides 3 and 4, half each.
     const std::vector<double> distances{1, 2, 3, 5, 8};
-    const double reach = neighbour_reach(distances, std::vector{1, 0.5, 1, 1, 1}, 2);
+    const double reach =
+        neighbour_reach(distances, std::vector<double>{1, 0.5, 1, 1, 1}, 2);
     EXPECT_NEAR(reach, 1 / (0.5 / 3 + 0.5 / 5), 1e-14);
 }
 
