@@ -96,12 +96,13 @@ const Candidates& CandidateFinder::find(const Vec3& place, const Vec3& up,
         }
         want = std::min(4 * want, kMaxCandidates);
     }
-    out_.reach = neighbour_reach({out_.distances.data(), out_.size},
-                                 {out_.shares.data(), out_.size}, k,
-                                 std::min(last, settings_.max_distance));
-    if (sum == double(out_.size)) {
-        out_.within = std::min(k, out_.size);  // nothing in the way: the nearest k
+    last = std::min(last, settings_.max_distance);
+    if (sum == double(out_.size)) {  // nothing in the way: the nearest k
+        out_.reach = out_.size > k ? std::min(out_.distances[k], last) : last;
+        out_.within = std::min(k, out_.size);
     } else {
+        out_.reach = neighbour_reach({out_.distances.data(), out_.size},
+                                     {out_.shares.data(), out_.size}, k, last);
         const auto end = out_.distances.begin() + std::ptrdiff_t(out_.size);
         const auto beyond =
             std::upper_bound(out_.distances.begin(), end, out_.reach * (1 + 1e-9));
