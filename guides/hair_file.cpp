@@ -197,7 +197,11 @@ void drop_single_points(const HairReader& file, Strands& strands, HairReport& re
     std::vector<std::uint32_t> kept{0};
     for (std::size_t i = 0; i < strands.size(); ++i) {
         const std::uint32_t points = strands.first[i + 1] - strands.first[i];
-        if (points > 1) kept.push_back(kept.back() + points);
+        if (points > 1) {
+            kept.push_back(kept.back() + points);
+        } else {
+            report.dropped.push_back(std::uint32_t(i));
+        }
     }
     report.dropped_strands = strands.first.size() - kept.size();
     if (report.dropped_strands == 0) return;

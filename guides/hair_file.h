@@ -3,6 +3,7 @@
 // layout is told in docs/formats.md.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,9 +14,10 @@ namespace lancret {
 
 /// What is worth telling of a file that could be read.
 struct HairReport {
-    std::size_t dropped_strands = 0;    ///< strands of a single point, left out
-    std::string text;                   ///< the header's free text
-    std::vector<std::string> warnings;  ///< each a line that names the file
+    std::size_t dropped_strands = 0;     ///< strands of a single point, left out
+    std::vector<std::uint32_t> dropped;  ///< which they were in the file, ascending
+    std::string text;                    ///< the header's free text
+    std::vector<std::string> warnings;   ///< each a line that names the file
 };
 
 /// Reads a .hair file; coordinates are taken as they are (cm, no axis is swapped). The

@@ -247,6 +247,18 @@ std::vector<Vec3> Strand::points() const {
     return points;
 }
 
+/// Where a strand's combing changes sides while that change is sharp.
+std::vector<Vec3> middle_parting() {
+    constexpr double kEnd = -0.16, kStart = 0.96;  // radian from the top, face positive
+    constexpr int kPieces = 40;
+    std::vector<Vec3> out;
+    for (int i = 0; i <= kPieces; ++i) {
+        const double angle = kStart + (kEnd - kStart) * i / kPieces;
+        out.push_back(Vec3(0, std::cos(angle), std::sin(angle)).cwiseProduct(kMadeHead));
+    }
+    return out;
+}
+
 void check(const MadeGroomSettings& s) {
     const auto require = [](bool holds, const char* what) {
         if (!holds) throw std::invalid_argument(std::string("make_groom: ") + what);
@@ -272,6 +284,7 @@ MadeGroom make_groom(const MadeGroomSettings& settings) {
     MadeGroom groom;
     groom.head = make_head();
     groom.scalp = scalp_of(groom.head);
+    groom.parting = middle_parting();
     const Scalp scalp = make_scalp(groom.scalp);
     const auto count = std::size_t(settings.strands),
                points = std::size_t(settings.points);

@@ -30,7 +30,9 @@ struct MadeGroomSettings {
 struct MadeGroom {
     TriangleMesh head;   ///< all of it, with UVs: u about Y from the face, v upwards
     TriangleMesh scalp;  ///< the part within the hairline, with the head's UVs
-    Strands strands;     ///< roots on `scalp`; points evenly spaced
+    /// From the hairline over the crown, on `scalp`; behind its end the hair closes. cm
+    std::vector<Vec3> parting;
+    Strands strands;  ///< roots on `scalp`; points evenly spaced
 };
 
 /// Makes the groom. The same settings give the same groom, and strand i does not depend

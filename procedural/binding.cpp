@@ -3,9 +3,11 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_reduce.h>
 
+#include <array>
+#include <cmath>
 #include <stdexcept>
 
-#include "guides/point_tree.h"
+#include "procedural/candidates.h"
 #include "procedural/weights.h"
 
 namespace lancret {
@@ -16,12 +18,164 @@ std::size_t Binding::bytes() const {
            guide_normals.size() * sizeof(Vec3f);
 }
 
-Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals,
-             const BindSettings& settings) {
-    if (guides.size() == 0) throw std::invalid_argument("bind: no guides");
-    if (settings.neighbours < 1 || settings.neighbours > kMaxNeighbours) {
-        throw std::invalid_argument("bind: neighbours out of range");
+namespace {
+
+/// Bending below this many radians on every segment, a guide is straight.
+constexpr double kStraight = 1e-9;
+
+bool is_straight(const Guides& guides, std::size_t g) {
+    const std::size_t n = std::size_t(guides.segments);
+    for (std::size_t q = g * n; q < (g + 1) * n; ++q) {
+        const Vec3& u = guides.curvatures[q];
+        if (std::hypot(u.y(), u.z()) * guides.segment_lengths[q] > kStraight)
+            return false;
     }
+    return true;
+}
+
+/// A guide as binding reads it.
+struct BoundGuide {
+    double length;  ///< cm
+    bool straight;
+};
+
+struct Reported : BindReport {
+    Reported& operator+=(const BindReport& more) {
+        no_facing_guide += more.no_facing_guide;
+        no_guide_in_reach += more.no_guide_in_reach;
+        no_guide_in_sight += more.no_guide_in_sight;
+        no_guide_in_region += more.no_guide_in_region;
+        opposed_root_frames += more.opposed_root_frames;
+        straight_guides += more.straight_guides;
+        return *this;
+    }
+};
+
+/// Binds the children of a range, one after the other.
+class Binder {
+  public:
+    Binder(Binding& binding, const Guides& guides, const std::vector<BoundGuide>& bound,
+           const GuideIndex& index, const BindSettings& settings,
+           const BindBorders& borders)
+        : binding_(binding),
+          guides_(guides),
+          bound_(bound),
+          settings_(settings),
+          borders_(borders),
+          finder_(index, guides, binding.guide_normals, settings, borders.partings) {}
+
+    void bind_child(std::size_t i, BindReport& report) {
+        const std::size_t k = std::size_t(binding_.neighbours);
+        const Vec3 place = binding_.roots.positions[i].cast<double>();
+        const Vec3 up = binding_.roots.normals[i].cast<double>();
+        const std::uint32_t region =
+            borders_.child_regions.empty() ? 0 : borders_.child_regions[i];
+        const Candidates& near = finder_.find(place, up, region, k);
+        report.no_guide_in_region += near.strange;
+
+        const std::span<std::uint32_t> chosen(&binding_.guides[i * k], k);
+        const std::span<float> weights(&binding_.weights[i * k], k);
+        weigh(near, up, chosen, weights, report);
+
+        double length = 0;
+        bool straight = true;
+        for (std::size_t j = 0; j < k; ++j) {
+            length += double(weights[j]) * bound_[chosen[j]].length;
+            straight = straight && (weights[j] == 0 || bound_[chosen[j]].straight);
+        }
+        binding_.lengths[i] = float(length * settings_.length_scale);
+        report.straight_guides += straight;
+        report.opposed_root_frames += opposed(up, chosen, weights);
+    }
+
+  private:
+    void weigh(const Candidates& near, const Vec3& up, std::span<std::uint32_t> chosen,
+               std::span<float> weights, BindReport& report) {
+        const std::size_t k = weights.size(), n = near.within;
+        for (std::size_t j = 0; j < n; ++j) {
+            facing_[j] = settings_.facing
+                             ? up.dot(guides_.root_frames[near.guides[j]].col(0))
+                             : 1.0;
+        }
+        const std::span<float> all(weights_.data(), n);
+        const WeightSource source =
+            guide_weights({near.distances.data(), n}, {near.shares.data(), n}, near.reach,
+                          {facing_.data(), n}, settings_.exponent, all);
+        report.no_facing_guide += source == WeightSource::distance;
+        std::ranges::fill(weights, 0.0f);
+        if (source == WeightSource::none) {
+            const auto seen = near.first_in_sight();
+            std::ranges::fill(chosen, near.guides[seen.value_or(0)]);
+            weights[0] = 1;
+            ++(seen ? report.no_guide_in_reach : report.no_guide_in_sight);
+            return;
+        }
+        keep_heaviest(all, k);
+        std::size_t used = 0;
+        for (std::size_t j = 0; j < n; ++j) {
+            // A guide that does not face keeps its place; one out of sight has none.
+            if (!(all[j] > 0) && (n > k || near.shares[j] == 0)) continue;
+            chosen[used] = near.guides[j];
+            weights[used] = all[j];
+            ++used;
+        }
+        // The nearest of them stands, without a weight, in the places that are left.
+        std::fill(chosen.begin() + std::ptrdiff_t(used), chosen.end(), chosen[0]);
+    }
+
+    bool opposed(const Vec3& up, std::span<const std::uint32_t> chosen,
+                 std::span<const float> weights) const {
+        constexpr double kOpposedNormals = -0.999;
+        Vec3 mean = Vec3::Zero();
+        for (std::size_t j = 0; j < chosen.size(); ++j) {
+            if (!(weights[j] > 0)) continue;
+            const Vec3 from = binding_.guide_normals[chosen[j]].cast<double>();
+            if (from.dot(up) < kOpposedNormals) return true;
+            mean += double(weights[j]) * turned(from, up, tangent(chosen[j]));
+        }
+        return mean.squaredNorm() < kOpposedTangents * kOpposedTangents;
+    }
+
+    Vec3 tangent(std::uint32_t g) const { return guides_.root_frames[g].col(0); }
+
+    /// `v` by the smallest rotation from `from` to `to`, which are not opposed.
+    static Vec3 turned(const Vec3& from, const Vec3& to, const Vec3& v) {
+        const Vec3 axis = from.cross(to);
+        const double cosine = from.dot(to);
+        return cosine * v + axis.cross(v) + axis * (axis.dot(v) / (1 + cosine));
+    }
+
+    Binding& binding_;
+    const Guides& guides_;
+    const std::vector<BoundGuide>& bound_;
+    const BindSettings& settings_;
+    const BindBorders& borders_;
+    CandidateFinder finder_;
+    std::array<double, kMaxCandidates> facing_;
+    std::array<float, kMaxCandidates> weights_;
+};
+
+void check(const Roots& roots, const Guides& guides, const BindSettings& settings,
+           const BindBorders& borders) {
+    const auto require = [](bool holds, const char* what) {
+        if (!holds) throw std::invalid_argument(what);
+    };
+    require(guides.size() > 0, "bind: no guides");
+    require(settings.neighbours >= 1 && settings.neighbours <= kMaxNeighbours,
+            "bind: neighbours out of range");
+    require(settings.max_distance > 0 && settings.max_angle > 0,
+            "bind: a greatest distance and angle above 0 expected");
+    const bool without = borders.guide_regions.empty() && borders.child_regions.empty();
+    require(without || (borders.guide_regions.size() == guides.size() &&
+                        borders.child_regions.size() == roots.size()),
+            "bind: a region for each guide and each child expected, or none");
+}
+
+}  // namespace
+
+Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals,
+             const BindSettings& settings, const BindBorders& borders) {
+    check(roots, guides, settings, borders);
     Binding out;
     const std::size_t k = std::min<std::size_t>(settings.neighbours, guides.size());
     const std::size_t children = roots.size();
@@ -32,43 +186,21 @@ Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals
     out.weights.resize(children * k);
     out.lengths.resize(children);
 
-    std::vector<double> lengths(guides.size());
-    for (std::size_t g = 0; g < guides.size(); ++g) lengths[g] = guide_length(guides, g);
-    const PointTree tree(guides.root_positions);
-
-    const auto bind_range = [&](const tbb::blocked_range<std::size_t>& range,
-                                std::size_t alone) {
-        std::array<std::uint32_t, kMaxNeighbours + 1> near;
-        std::array<double, kMaxNeighbours + 1> squared, distance, facing;
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            const Vec3 x = out.roots.positions[i].cast<double>();
-            const Vec3 up = out.roots.normals[i].cast<double>();
-            const std::size_t found =
-                tree.nearest(x, {near.data(), k + 1}, {squared.data(), k + 1});
-            for (std::size_t j = 0; j < found; ++j) {
-                distance[j] = std::sqrt(squared[j]);
-                facing[j] =
-                    settings.facing ? up.dot(guides.root_frames[near[j]].col(0)) : 1.0;
+    std::vector<BoundGuide> bound;
+    for (std::size_t g = 0; g < guides.size(); ++g) {
+        bound.push_back({guide_length(guides, g), is_straight(guides, g)});
+    }
+    const GuideIndex index(guides.root_positions, borders.guide_regions);
+    out.report = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, children, 1024), Reported(),
+        [&](const tbb::blocked_range<std::size_t>& range, Reported report) {
+            Binder binder(out, guides, bound, index, settings, borders);
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                binder.bind_child(i, report);
             }
-            const double reach =
-                found > k ? distance[k] : std::numeric_limits<double>::infinity();
-            const std::span<float> weights(&out.weights[i * k], k);
-            if (!guide_weights({distance.data(), k}, reach, {facing.data(), k},
-                               settings.exponent, weights)) {
-                ++alone;
-            }
-            double length = 0;
-            for (std::size_t j = 0; j < k; ++j) {
-                out.guides[i * k + j] = near[j];
-                length += double(weights[j]) * lengths[near[j]];
-            }
-            out.lengths[i] = float(length * settings.length_scale);
-        }
-        return alone;
-    };
-    out.report.nearest_guide =
-        tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, children, 1024),
-                             std::size_t(0), bind_range, std::plus<>());
+            return report;
+        },
+        [](Reported a, const Reported& b) { return a += b; });
     return out;
 }
 

@@ -41,7 +41,13 @@ Generator make_generator(const Groom& groom, const StageCallback& stage) {
         roots = own_roots(source.grown_roots, source.grown_tangents, count, groom.seed,
                           groom.name);
     }
-    out.binding = bind(std::move(roots), source.guides, source.normals, groom.bind);
+    BindBorders borders;
+    borders.guide_regions = source.guide_regions;
+    borders.child_regions = child_regions(source.regions, source.grown_roots, roots);
+    const Partings partings(source.partings);
+    if (partings.size() > 0) borders.partings = &partings;
+    out.binding = lancret::bind(std::move(roots), source.guides, source.normals,
+                                groom.bind, borders);
     int intervals = 0;
     try {
         intervals = groom.intervals

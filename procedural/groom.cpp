@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "guides/coordinates.h"
 #include "guides/errors.h"
 
 namespace lancret {
@@ -79,6 +81,11 @@ void read_strands(const TomlTable& strands, Groom& out) {
     }
     set(out.bind.neighbours, strands.integer("neighbours", 1, kMaxNeighbours));
     set(out.bind.exponent, strands.number("exponent", 0, 16));
+    set(out.bind.facing, strands.boolean("facing"));
+    set(out.bind.max_distance, strands.number("max_distance", 1e-3, 1e6));
+    if (const auto degrees = strands.number("max_angle_degrees", 0.1, 180)) {
+        out.bind.max_angle = *degrees * std::numbers::pi / 180;
+    }
     set(out.bind.length_scale, strands.number("length_scale", 0.001, 100));
     set(out.tolerance, strands.number("tolerance", 1e-4, 10));
     if (const auto n = strands.integer("intervals", 1, 1000)) out.intervals = int(*n);
@@ -87,6 +94,30 @@ void read_strands(const TomlTable& strands, Groom& out) {
     }
     if (const auto shape = strands.choice("shape", kShapes)) {
         out.expand.shape = *shape == 0 ? CurveShape::flat : CurveShape::round;
+    }
+}
+
+void read_borders(const TomlTable& toml, Groom& out) {
+    const TomlTable regions = toml.table("regions");
+    set(out.regions.texture, regions.path("texture"));
+    set(out.regions.ids, regions.path("ids"));
+    if (regions.has("texture") && regions.has("ids")) {
+        regions.fail("ids", "regions come from a 'texture' or from 'ids', not from both");
+    }
+    for (const TomlTable& parting : toml.tables("partings")) {
+        auto points = parting.vectors("points", 2);
+        if (!points) {
+            parting.fail("points",
+                         "a parting needs 'points', a list of two or more [x, y, z]");
+        }
+        for (Vec3& p : *points) {
+            p *= out.scene.centimetres_per_unit();
+            if (!(p.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
+                parting.fail("points", fmt::format("a parting must be within {:.0e} cm",
+                                                   kLargestCoordinate));
+            }
+        }
+        out.partings.push_back(std::move(*points));
     }
 }
 
@@ -140,6 +171,7 @@ Groom read_groom(const TomlTable& toml, std::string name) {
     set(out.scalp_file, scalp.path("file"));
     set(out.growth_distance, scalp.number("growth_distance", 1e-3, 1e4));
     read_strands(toml.table("strands"), out);
+    read_borders(toml, out);
     const TomlTable width = toml.table("width");
     // The file speaks of widths, the curves of radii.
     if (const auto root = width.number("root", 0, 10))

@@ -10,6 +10,7 @@
 #include "guides/strands.h"
 #include "guides/super_helix_fit.h"
 #include "procedural/binding.h"
+#include "procedural/borders.h"
 #include "procedural/expand.h"
 #include "procedural/toml_table.h"
 
@@ -52,6 +53,8 @@ struct Groom {
     std::optional<std::uint32_t> strands;  ///< children; none: child_count says
     std::uint64_t seed = 0;
     BindSettings bind;
+    RegionSettings regions;
+    std::vector<Polyline> partings;  ///< cm; of a made groom none: its own
     ExpandSettings expand;
     double tolerance = 0.03;       ///< cm, of the emitted curves from the strands
     std::optional<int> intervals;  ///< a strand; none: by tolerance
@@ -61,8 +64,8 @@ struct Groom {
 /// a child on each of the groom's own `roots`.
 std::uint32_t child_count(const Groom& groom, bool on_scalp, std::size_t roots);
 
-/// Reads the tables [scene], [guides], [scalp], [strands] and [width]; the other tables
-/// of a groom belong to its host, who also finishes the TOML.
+/// Reads the tables [scene], [guides], [scalp], [strands], [regions], [[partings]] and
+/// [width]; the other tables of a groom belong to its host, who also finishes the TOML.
 Groom read_groom(const TomlTable& toml, std::string name);
 
 }  // namespace lancret

@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "guides/closest_point.h"
 #include "guides/coordinates.h"
@@ -66,11 +67,13 @@ LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
         out.strands = std::move(made.strands);
         out.scalp = std::move(made.scalp);
         out.body = std::move(made.head);
+        out.partings = {std::move(made.parting)};
     } else {
         HairReport report;
         out.strands = read_hair(groom.strands_file, &report);
         out.strands.basis = groom.basis;
         warnings = std::move(report.warnings);
+        out.dropped = std::move(report.dropped);
         if (report.dropped_strands > 0) {
             warnings.push_back(fmt::format("{}: {} strands of one point were left out",
                                            groom.strands_file.string(),
@@ -112,11 +115,29 @@ void take_cached(const Groom& groom, GroomGuides& out) {
         out.grown_tangents.push_back(frame.col(0));
 }
 
+/// The numbers in their file of `strands`, those that are left without `dropped`.
+std::vector<std::uint32_t> numbers_in_file(std::span<const std::uint32_t> strands,
+                                           std::span<const std::uint32_t> dropped) {
+    std::vector<std::uint32_t> out;
+    std::size_t gone = 0;
+    for (std::uint32_t i : strands) {  // ascending, as `dropped` is
+        while (gone < dropped.size() && dropped[gone] <= i + gone) ++gone;
+        out.push_back(i + std::uint32_t(gone));
+    }
+    return out;
+}
+
 /// Guides chosen from strands and fitted to them.
 void fit_chosen(const Groom& groom, const Strands& strands, const StrandRoots& roots,
                 GroomGuides& out) {
     const std::uint32_t count = groom.guides.of(roots.strands.size());
-    const auto chosen = farthest_points(roots.positions, count, groom.seed);
+    auto chosen = farthest_points(roots.positions, count, groom.seed);
+    if (const std::size_t more = choose_for_regions(out.regions, roots.positions, chosen);
+        more > 0) {
+        out.warnings.push_back(fmt::format(
+            "{}: {} regions had none of the {} guides that were chosen, and got one each",
+            groom.name, more, count));
+    }
     std::vector<Vec3> surface_tangents;
     if (out.scalp) {
         const ClosestPoint closest(out.scalp->mesh);
@@ -129,6 +150,9 @@ void fit_chosen(const Groom& groom, const Strands& strands, const StrandRoots& r
         fit_guides(strands, picked(roots.strands, chosen), surface_tangents, groom.fit);
     out.guides = std::move(fitted.guides);
     out.fits = std::move(fitted.reports);
+    if (!out.regions.strands.empty()) {
+        out.guide_regions = picked(out.regions.strands, chosen);
+    }
 }
 
 /// Puts the guides' roots on the scalp and takes its normals there; without a scalp, a
@@ -156,6 +180,22 @@ void stand_on_scalp(GroomGuides& out) {
 
 }  // namespace
 
+std::vector<Polyline> groom_partings(const Groom& groom, std::span<const Polyline> made,
+                                     const std::optional<Scalp>& scalp,
+                                     std::vector<std::string>& warnings) {
+    double farthest = 0;
+    const bool own = !groom.partings.empty();
+    auto out = partings_on_scalp(own ? groom.partings : made, scalp, farthest);
+    constexpr double kFarOff = 1;  // cm: drawn for another head, or in another unit
+    if (own && farthest > kFarOff) {
+        warnings.push_back(fmt::format(
+            "{}: the points of [[partings]] are up to {:.3g} cm off the scalp and were "
+            "put on it; are they in one unit?",
+            groom.name, farthest));
+    }
+    return out;
+}
+
 GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
     const auto enter = [&](const char* name) {
         if (stage) stage(name);
@@ -166,6 +206,12 @@ GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
     out.scalp = load_scalp(groom);
     if (groom.strands_file.extension() == ".h5") {
         take_cached(groom, out);
+        std::vector<std::uint32_t> numbers(out.guides.size());
+        std::iota(numbers.begin(), numbers.end(), 0u);
+        out.regions = read_regions(groom.regions, groom.name, out.scalp, out.grown_roots,
+                                   numbers, numbers.size());
+        out.guide_regions = out.regions.strands;
+        out.partings = groom_partings(groom, {}, out.scalp, out.warnings);
         stand_on_scalp(out);
         out.seconds.load = watch.lap();
         return out;
@@ -185,6 +231,10 @@ GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
         out.warnings.push_back(fmt::format(
             "{}: {} strands without a length were left out", groom.name, flat));
     }
+    out.regions = read_regions(groom.regions, groom.name, out.scalp, roots.positions,
+                               numbers_in_file(roots.strands, loaded.dropped),
+                               loaded.strands.size() + loaded.dropped.size());
+    out.partings = groom_partings(groom, loaded.partings, out.scalp, out.warnings);
     out.seconds.load = watch.lap();
 
     enter("fit");
@@ -192,6 +242,8 @@ GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
         fit_chosen(groom, loaded.strands, roots, out);
     } else {
         out.guides = read_rest_guides(groom.guides_file);
+        out.guide_regions = regions_at(out.regions, out.scalp, roots.positions,
+                                       out.guides.root_positions);
     }
     stand_on_scalp(out);
     out.grown_roots = roots.positions;

@@ -155,8 +155,10 @@ LeaveOut leave_out(const Strands& strands, const Scalp* scalp,
     BindSettings bind_settings = settings.bind;
     bind_settings.length_scale = 1;
     if (!scalp) bind_settings.facing = false;
+    BindBorders borders;
+    borders.partings = settings.partings;
     out.binding = lancret::bind(std::move(stand), out.guides,
-                                std::move(guide_surface.normals), bind_settings);
+                                std::move(guide_surface.normals), bind_settings, borders);
     return out;
 }
 

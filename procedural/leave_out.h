@@ -20,7 +20,8 @@ struct LeaveOutSettings {
     std::optional<int> segments = {};  ///< a guide is fitted so; none: read as finely as
                                        ///< it takes to keep its shape
     BindSettings bind = {};
-    std::uint64_t seed = 0;  ///< of the first guide
+    const Partings* partings = nullptr;  ///< that no child's guides lie across
+    std::uint64_t seed = 0;              ///< of the first guide
 };
 
 /// How near the guides come to the strands that they were made of.

@@ -238,6 +238,27 @@ std::optional<Vec2> TomlTable::pair(std::string_view key) const {
     return Vec2((*numbers)[0], (*numbers)[1]);
 }
 
+std::optional<std::vector<Vec3>> TomlTable::vectors(std::string_view key,
+                                                    std::size_t fewest) const {
+    const toml::node* value = node_->ask(key);
+    if (!value) return std::nullopt;
+    const toml::array* list = value->as_array();
+    if (!list || list->size() < fewest) {
+        fail(key,
+             fmt::format("'{}' must be a list of {} or more [x, y, z]", key, fewest));
+    }
+    std::vector<Vec3> out;
+    for (const toml::node& item : *list) {
+        const auto v = numbers_of(item, 3);
+        if (!v) {
+            fail(key, fmt::format("item {} of '{}' must be [x, y, z], three numbers",
+                                  out.size() + 1, key));
+        }
+        out.emplace_back((*v)[0], (*v)[1], (*v)[2]);
+    }
+    return out;
+}
+
 std::optional<std::size_t> TomlTable::choice(
     std::string_view key, std::span<const std::string_view> names) const {
     const auto word = text(key);

@@ -44,6 +44,9 @@ class TomlTable {
     std::optional<Vec3> vector(std::string_view key) const;
     /// Two numbers.
     std::optional<Vec2> pair(std::string_view key) const;
+    /// The list of [x, y, z] under `key`, of `fewest` or more.
+    std::optional<std::vector<Vec3>> vectors(std::string_view key,
+                                             std::size_t fewest) const;
     /// The index in `names` of the text under `key`.
     std::optional<std::size_t> choice(std::string_view key,
                                       std::span<const std::string_view> names) const;

@@ -73,8 +73,8 @@ struct ThirdParty {
 const ThirdParty kThirdParties[] = {
     {{"embree"}, {"render_test/embree_scene.", "guides/closest_point."}},
     {{"OpenImageIO", "OpenEXR", "Imath", "Imf", "Iex"},
-     {"render_test/image.", "tests/render_test/image_test.",
-      "tests/tools/good_runs_test."}},
+     {"render_test/image.", "procedural/region_map.", "tests/render_test/image_test.",
+      "tests/procedural/region_map_test.", "tests/tools/good_runs_test."}},
     {{"hdf5", "H5"}, {"guides/guide_cache", "tests/guides/guide_cache_test."}},
     {{"tiny_obj_loader"}, {"guides/obj_file."}},
     {{"nanoflann"}, {"guides/point_tree.h"}},

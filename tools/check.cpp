@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "procedural/bind_report.h"
 #include "procedural/check_figures.h"
 #include "procedural/check_frames.h"
 #include "procedural/check_report.h"
@@ -109,12 +110,14 @@ int check_groom(const CheckOptions& options) {
     fmt::print("{}, blend {}{}\n{}", job.groom.name, blend_name(job.groom.expand.blend),
                cached ? fmt::format(", frame {}, the worst", report.worst_frame) : "",
                check_table(report.worst));
+    fmt::print("bind: {}\n", bind_line(generator.binding.report));
     if (cached) fmt::print("\n{}", frames_table(report));
     if (!options.json.empty()) {
         nlohmann::json json = check_json(report.worst);
         if (cached) json.update(frames_json(report));
         json["groom"] = job.groom.name;
         json["blend"] = blend_name(job.groom.expand.blend);
+        json["bind"] = bind_json(generator.binding.report);
         write_json(options.json, json);
     }
     nlohmann::json stats = generator_stats(generator);

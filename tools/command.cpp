@@ -14,6 +14,7 @@
 #include "guides/errors.h"
 #include "guides/guide_cache.h"
 #include "guides/obj_file.h"
+#include "procedural/bind_report.h"
 #include "tools/progress.h"
 #include "tools/quiet_stderr.h"
 
@@ -230,12 +231,8 @@ Generator run_generator(const Groom& groom) {
             "farthest moved {:.3f} cm\n",
             out.source.snapped_roots, out.source.guides.size(), out.source.largest_snap);
     }
-    if (out.binding.report.nearest_guide > 0) {
-        fmt::print(stderr,
-                   "lancret: {} of {} children face none of their guides and follow the "
-                   "nearest\n",
-                   out.binding.report.nearest_guide, out.binding.size());
-    }
+    fmt::print(stderr, "{}",
+               bind_table(out.binding.report, out.binding.size(), "lancret: "));
     return out;
 }
 

@@ -85,6 +85,7 @@ struct Subject {
     Strands strands;
     std::optional<Scalp> scalp;
     std::optional<TriangleMesh> body;
+    std::vector<Polyline> partings;
 };
 
 Subject load_subject(const Groom& groom, const std::optional<CurlSettings>& curl) {
@@ -98,14 +99,15 @@ Subject load_subject(const Groom& groom, const std::optional<CurlSettings>& curl
     std::vector<std::string> warnings;
     out.scalp = load_scalp(groom);
     LoadedGroom loaded = load_groom(groom, warnings);
-    for (const std::string& warning : warnings) {
-        fmt::print(stderr, "lancret: warning: {}\n", warning);
-    }
     if (!out.scalp && loaded.scalp) {
         out.scalp = make_scalp(std::move(*loaded.scalp));
         out.body = std::move(loaded.body);
     }
     if (!out.body && out.scalp) out.body = out.scalp->mesh;
+    out.partings = groom_partings(groom, loaded.partings, out.scalp, warnings);
+    for (const std::string& warning : warnings) {
+        fmt::print(stderr, "lancret: warning: {}\n", warning);
+    }
     out.strands = curl ? wrapped_in_curls(loaded.strands, *curl, groom.seed)
                        : std::move(loaded.strands);
     return out;
@@ -145,11 +147,13 @@ int evaluate_groom(const EvaluateOptions& options) {
     line.show("load");
     Subject subject = load_subject(job.groom, curl);
     line.show("take apart");
+    const Partings partings(subject.partings);
     const LeaveOut taken =
         leave_out(subject.strands, subject.scalp ? &*subject.scalp : nullptr,
                   {.guides = job.groom.guides,
                    .segments = options.groom.segments,
                    .bind = job.groom.bind,
+                   .partings = partings.size() > 0 ? &partings : nullptr,
                    .seed = job.groom.seed},
                   job.groom.name);
     line.clear();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "procedural/bind_report.h"
 #include "procedural/check_figures.h"
 #include "procedural/expand.h"
 
@@ -35,11 +36,11 @@ std::string evaluation_table(const EvaluationReport& report, const LeaveOut& tak
     out += fmt::format(
         "guides {} as {} segments: RMS over length median {:.5f}, p95 {:.5f}; curvature "
         "W1 {:.4f}, mean {:.3f} of theirs\n"
-        "children of {} intervals, {} of them on the nearest guide alone for want of "
-        "weights; default blend {}\n\n",
+        "children of {} intervals; default blend {}\n",
         taken.fit.fitted ? "fitted" : "read", taken.guides.segments, taken.fit.rms.median,
         taken.fit.rms.p95, taken.fit.curvature.w1, taken.fit.curvature.mean_ratio,
-        report.intervals, taken.binding.report.nearest_guide, default_blend());
+        report.intervals, default_blend());
+    out += bind_table(taken.binding.report, taken.binding.size()) + '\n';
     out += fmt::format("{:18}{:^17}{:^17}{:^17}{:^18}{:^15}{:^15}{:>8}\n", "",
                        "RMS / length", "place", "tip", "length error", "curvature",
                        "torsion", "cost");
@@ -70,7 +71,7 @@ nlohmann::json evaluation_json(const EvaluationReport& report, const LeaveOut& t
         {"guides", taken.guides.size()},
         {"segments", taken.guides.segments},
         {"intervals", report.intervals},
-        {"nearest_guide_fallback", taken.binding.report.nearest_guide},
+        {"bind", bind_json(taken.binding.report)},
         {"fit",
          {{"fitted", taken.fit.fitted},
           {"rms_over_length", spread_json(taken.fit.rms)},

@@ -23,7 +23,7 @@ struct EvaluationReport {
 /// What the blends were given: a few lines, and a table with a row a blend.
 std::string evaluation_table(const EvaluationReport& report, const LeaveOut& taken);
 
-/// {groom, seed, curl, strands, guides, segments, intervals, fit, nearest_guide_fallback,
+/// {groom, seed, curl, strands, guides, segments, intervals, fit, bind,
 /// default, blends.NAME.{rms_over_length, place, tip_distance, length_error, curvature,
 /// torsion, ns_per_point}}.
 nlohmann::json evaluation_json(const EvaluationReport& report, const LeaveOut& taken);

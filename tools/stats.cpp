@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "guides/atomic_file.h"
+#include "procedural/bind_report.h"
 
 namespace lancret {
 
@@ -51,7 +52,7 @@ nlohmann::json generator_stats(const Generator& g) {
     stats["bytes"]["binding"] = g.binding.bytes();
     stats["bytes"]["binding_per_strand"] =
         double(g.binding.bytes()) / double(std::max<std::size_t>(1, g.binding.size()));
-    stats["roots"]["nearest_guide_fallback"] = g.binding.report.nearest_guide;
+    stats["bind"] = bind_json(g.binding.report);
     return stats;
 }
 

@@ -16,8 +16,7 @@ std::size_t peak_rss();
 nlohmann::json fit_stats(const GroomGuides& source);
 
 /// fit_stats and {strands, intervals, blend, seconds.bind, bytes.{binding,
-/// binding_per_strand}, roots.nearest_guide_fallback}. Commands add their own seconds and
-/// bytes.
+/// binding_per_strand}, bind.{...}: bind_json}. Commands add their own seconds and bytes.
 nlohmann::json generator_stats(const Generator& generator);
 
 /// The same with points, seconds.expand, bytes.curves and bytes.curves_per_strand.

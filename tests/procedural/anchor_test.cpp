@@ -72,9 +72,11 @@ TEST(Detail, GetsOnAsFastAsTheMeanOfItsGuides) {
     for (const std::vector<double>& weights :
          {std::vector{0.501, 0.499}, {0.499, 0.501}}) {
         const Shape detail = shape_of(blend_detail<double>, guides, weights);
-        // The softening keeps 0.01 / (1 - a c) of the way back, and more of a tilt than
-        // its bound allows is left out: neither is above 0.01 here.
-        EXPECT_NEAR(detail.chord.norm() / kLength, mean, 0.01);
+        // Of the way from its own cosine to the mean, 0.13, the softening leaves out
+        // 0.01 / (1 - a c), 2 %. A tilted tangent's mean over a turn is not the tilted
+        // mean: for aberration it is the cosine of the same helix, exactly. What is left
+        // is the curl's share in the spine, sin(pitch) / (10 pi), up to 0.025.
+        EXPECT_NEAR(detail.chord.norm() / kLength, mean, 0.025);
         EXPECT_GT(std::abs(shape_of(blend_nearest<double>, guides, weights).chord.norm() /
                                kLength -
                            mean),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "procedural/partings.h"
 #include "tests/procedural/made_hair.h"
 
 namespace lancret {
@@ -104,13 +105,240 @@ TEST(Binding, TurnsAGuidesFrameByTheSmallestRotationToTheChildsNormal) {
 TEST(Binding, CountsChildrenThatNoGuideFaces) {
     const StandingGuides standing = standing_guides(10, 1, 13);
     Roots roots = plane_roots(40, 14);
+    const Binding upright = bind(roots, standing.guides, standing.normals, {});
     for (std::size_t i = 0; i < 15; ++i) roots.normals[i] = -Vec3f::UnitZ();
     const Binding binding = bind(roots, standing.guides, standing.normals, {});
-    EXPECT_EQ(binding.report.nearest_guide, 15u);
-    for (std::size_t i = 0; i < 15; ++i) {
-        EXPECT_EQ(binding.weights[4 * i], 1);
-        for (int k = 1; k < 4; ++k) EXPECT_EQ(binding.weights[4 * i + k], 0);
+    EXPECT_EQ(binding.report.no_facing_guide, 15u);
+    EXPECT_EQ(upright.report.no_facing_guide, 0u);
+    const Binding blind =
+        bind(roots, standing.guides, standing.normals, {.facing = false});
+    EXPECT_EQ(blind.report.no_facing_guide, 0u);
+    // Those go by distance alone.
+    for (std::size_t j = 0; j < 15 * 4; ++j) {
+        EXPECT_EQ(binding.weights[j], blind.weights[j]);
     }
+}
+
+TEST(Binding, CountsOpposedRootFrames) {
+    StandingGuides standing = standing_guides(2, 1, 13);
+    // Two guides that lie down, apart from each other; the child is half way.
+    standing.guides.root_positions = {Vec3(-1, 0, 0), Vec3(1, 0, 0)};
+    standing.guides.root_frames[0] = Mat3::Identity();
+    standing.guides.root_frames[1] = Vec3(-1, -1, 1).asDiagonal();
+    Roots roots = plane_roots(3, 1);
+    roots.positions = {Vec3f(0, 0, 0), Vec3f(-0.9f, 0, 0), Vec3f(-0.9f, 0, 0)};
+    // The third sees the normals of both opposed to its own.
+    roots.normals[2] = -Vec3f::UnitZ();
+    const Binding binding =
+        bind(roots, standing.guides, standing.normals, {.facing = false});
+    EXPECT_EQ(binding.report.opposed_root_frames, 2u);
+}
+
+TEST(Binding, CountsChildrenOfStraightGuides) {
+    StandingGuides standing = standing_guides(40, 3, 19);
+    const auto straight = [&](std::size_t g) {
+        return standing.guides.root_positions[g].x() < 5;
+    };
+    for (std::size_t g = 0; g < 40; ++g) {
+        // One that is twisted alone is straight as well.
+        for (std::size_t q = 3 * g; q < 3 * g + 3 && straight(g); ++q) {
+            standing.guides.curvatures[q] = Vec3(0.1, 0, 0);
+        }
+    }
+    const Binding binding =
+        bind(plane_roots(300, 20), standing.guides, standing.normals, {});
+    std::size_t expected = 0;
+    for (std::size_t i = 0; i < 300; ++i) {
+        bool all = true;
+        for (std::size_t j = 4 * i; j < 4 * i + 4; ++j) {
+            all = all && (binding.weights[j] == 0 || straight(binding.guides[j]));
+        }
+        expected += all;
+    }
+    EXPECT_GT(expected, 50u);
+    EXPECT_EQ(binding.report.straight_guides, expected);
+}
+
+TEST(Binding, GuidesBeyondTheGreatestDistanceHaveNoWeight) {
+    const StandingGuides standing = standing_guides(100, 1, 21);
+    const Roots roots = plane_roots(2000, 22);
+    const Binding binding =
+        bind(roots, standing.guides, standing.normals, {.max_distance = 0.6});
+    std::size_t out_of_reach = 0;
+    for (std::size_t i = 0; i < 2000; ++i) {
+        const auto distance = [&](std::uint32_t g) {
+            return (standing.guides.root_positions[g] - roots.positions[i].cast<double>())
+                .norm();
+        };
+        double nearest = 1e9;
+        for (std::uint32_t g = 0; g < 100; ++g) nearest = std::min(nearest, distance(g));
+        if (nearest >= 0.6) {
+            ++out_of_reach;
+            EXPECT_EQ(binding.weights[4 * i], 1);
+            EXPECT_EQ(distance(binding.guides[4 * i]), nearest);
+            continue;
+        }
+        for (std::size_t j = 4 * i; j < 4 * i + 4; ++j) {
+            if (binding.weights[j] > 0) {
+                EXPECT_LT(distance(binding.guides[j]), 0.6);
+            }
+        }
+    }
+    EXPECT_GT(out_of_reach, 100u);
+    EXPECT_EQ(binding.report.no_guide_in_reach, out_of_reach);
+}
+
+TEST(Binding, GuidesBeyondTheGreatestAngleHaveNoWeight) {
+    StandingGuides standing = standing_guides(100, 1, 23);
+    for (std::size_t g = 0; g < 100; g += 2) {
+        standing.normals[g] = Vec3f(std::sin(0.4f), 0, std::cos(0.4f));
+    }
+    const Binding binding = bind(plane_roots(500, 24), standing.guides, standing.normals,
+                                 {.max_angle = 0.39});
+    for (std::size_t j = 0; j < binding.weights.size(); ++j) {
+        EXPECT_TRUE(binding.weights[j] == 0 || binding.guides[j] % 2 == 1);
+    }
+    // The next ones that are within it take their place.
+    for (std::size_t i = 0; i < binding.size(); ++i) {
+        EXPECT_EQ(std::ranges::count_if(std::span(&binding.weights[4 * i], 4),
+                                        [](float w) { return w > 0; }),
+                  4);
+    }
+    EXPECT_EQ(binding.report.no_guide_in_reach, 0u);
+    const Binding none = bind(plane_roots(5, 24), standing.guides,
+                              std::vector<Vec3f>(100, Vec3f::UnitX()), {.max_angle = 1});
+    EXPECT_EQ(none.report.no_guide_in_reach, 5u);
+}
+
+TEST(Binding, ChildrenHaveGuidesOfTheirRegionOnly) {
+    const StandingGuides standing = standing_guides(60, 1, 25);
+    const Roots roots = plane_roots(600, 26);
+    BindBorders borders;
+    for (const Vec3& p : standing.guides.root_positions) {
+        borders.guide_regions.push_back(p.x() < 4 ? 7 : 9);
+    }
+    for (const Vec3f& p : roots.positions) {
+        borders.child_regions.push_back(p.x() < 4 ? 7 : p.x() > 9.5f ? 1000 : 9);
+    }
+    const Binding binding =
+        lancret::bind(roots, standing.guides, standing.normals, {}, borders);
+    std::size_t without = 0;
+    for (std::size_t i = 0; i < 600; ++i) {
+        without += borders.child_regions[i] == 1000;
+        for (std::size_t j = 4 * i; j < 4 * i + 4 && borders.child_regions[i] < 10; ++j) {
+            EXPECT_EQ(borders.guide_regions[binding.guides[j]], borders.child_regions[i]);
+            EXPECT_GT(binding.weights[j], 0);
+        }
+    }
+    EXPECT_GT(without, 10u);
+    EXPECT_EQ(binding.report.no_guide_in_region, without);
+}
+
+TEST(Binding, NoChildsGuidesLieAcrossAParting) {
+    const StandingGuides standing = standing_guides(100, 1, 27);
+    const Polyline bent{{5, -1, 0}, {4.5, 4, 0.1}, {6, 7, 0}};
+    const Partings partings({&bent, 1});
+    const BindBorders borders{
+        .guide_regions = {}, .child_regions = {}, .partings = &partings};
+    const Roots roots = plane_roots(3000, 28);
+    const Binding binding =
+        lancret::bind(roots, standing.guides, standing.normals, {}, borders);
+    const auto crosses = [&](const Vec3& a, const Vec3& b) {
+        const auto side = [](const Vec3& p, const Vec3& q, const Vec3& r) {
+            return (q - p)
+                       .head<2>()
+                       .homogeneous()
+                       .cross((r - p).head<2>().homogeneous())
+                       .z() > 0;
+        };
+        for (std::size_t i = 0; i + 1 < bent.size(); ++i) {
+            const Vec3 &p = bent[i], &q = bent[i + 1];
+            if (side(p, q, a) != side(p, q, b) && side(a, b, p) != side(a, b, q))
+                return true;
+        }
+        return false;
+    };
+    const Binding free = bind(roots, standing.guides, standing.normals, {});
+    std::size_t would_cross = 0;
+    for (std::size_t j = 0; j < binding.guides.size(); ++j) {
+        const Vec3 root = roots.positions[j / 4].cast<double>();
+        EXPECT_FALSE(crosses(root, standing.guides.root_positions[binding.guides[j]]));
+        would_cross += crosses(root, standing.guides.root_positions[free.guides[j]]);
+    }
+    EXPECT_GT(would_cross, 300u);
+    EXPECT_EQ(binding.report.no_guide_in_sight, 0u);
+}
+
+TEST(Binding, CountsChildrenThatPartingsShutIn) {
+    const StandingGuides standing = standing_guides(10, 1, 27);
+    Roots roots = plane_roots(2, 28);
+    roots.positions = {Vec3f(20, 20, 0), Vec3f(5, 5, 0)};
+    const Polyline square{
+        {19, 19, 0}, {21, 19, 0}, {21, 21, 0}, {19, 21, 0}, {19, 19, 0}};
+    const Partings partings({&square, 1});
+    const BindBorders borders{
+        .guide_regions = {}, .child_regions = {}, .partings = &partings};
+    const Binding binding =
+        lancret::bind(roots, standing.guides, standing.normals, {}, borders);
+    EXPECT_EQ(binding.report.no_guide_in_sight, 1u);
+    EXPECT_EQ(binding.weights[0], 1);
+}
+
+/// The lengths of what `binding` grows, measured between control points, are never more
+/// than the intended ones: a control polygon of a curve that is as long as it should be
+/// is longer by a few per cent at most, and a NaN is neither.
+void expect_sound(const Binding& binding, const Guides& guides) {
+    for (const BlendName& blend : kBlendNames) {
+        const auto profiles = guide_profiles<float>(guides, 32);
+        const Curves curves = expand(binding, profiles, {.blend = blend.blend});
+        const std::size_t points = curves.points.size() / binding.size();
+        for (std::size_t i = 0; i < binding.size(); ++i) {
+            float length = 0;
+            for (std::size_t p = i * points + 1; p < (i + 1) * points; ++p) {
+                length += (curves.points[p].xyz() - curves.points[p - 1].xyz()).norm();
+            }
+            // The first and last control points lie an interval outside the curve at
+            // most.
+            EXPECT_LE(length, binding.lengths[i] * 1.2f) << blend.name << ", child " << i;
+        }
+    }
+}
+
+TEST(Binding, GrowsSoundStrandsInEveryFallback) {
+    StandingGuides standing = standing_guides(12, 4, 41);
+    // Two that point apart along the surface, one turned upside down, one straight.
+    standing.guides.root_frames[0] = Mat3::Identity();
+    standing.guides.root_frames[1] = Vec3(-1, -1, 1).asDiagonal();
+    standing.guides.root_positions[0] = Vec3(-1, -20, 0);
+    standing.guides.root_positions[1] = Vec3(1, -20, 0);
+    standing.normals[2] = -Vec3f::UnitZ();
+    standing.guides.root_positions[3] = Vec3(0, 30, 0);
+    for (std::size_t q = 12; q < 16; ++q) standing.guides.curvatures[q].setZero();
+    Roots roots = plane_roots(60, 42);
+    roots.positions[0] = Vec3f(0, -20, 0);
+    roots.positions[1] = Vec3f(0, 30, 0);
+    for (std::size_t i = 10; i < 20; ++i) roots.normals[i] = -Vec3f::UnitZ();
+    BindBorders borders;
+    borders.guide_regions.assign(12, 0);
+    borders.child_regions.assign(60, 0);
+    borders.child_regions[30] = 5;
+    const Polyline square{{-1, -1, 0}, {2, -1, 0}, {2, 2, 0}, {-1, 2, 0}, {-1, -1, 0}};
+    const Partings partings({&square, 1});
+    borders.partings = &partings;
+    roots.positions[40] = Vec3f(0.5f, 0.5f, 0);
+    for (std::size_t g = 0; g < 12; ++g) {  // nobody lives in the square
+        Vec3& p = standing.guides.root_positions[g];
+        if (p.x() < 2 && p.y() < 2 && p.y() > -2) p.x() += 3;
+    }
+    const Binding near = lancret::bind(roots, standing.guides, standing.normals,
+                                       {.neighbours = 2, .max_distance = 2}, borders);
+    EXPECT_GT(near.report.no_facing_guide, 0u);
+    EXPECT_GT(near.report.no_guide_in_reach, 0u);
+    EXPECT_GT(near.report.no_guide_in_sight, 0u);
+    EXPECT_GT(near.report.no_guide_in_region, 0u);
+    EXPECT_GT(near.report.opposed_root_frames, 0u);
+    EXPECT_GT(near.report.straight_guides, 0u);
+    expect_sound(near, standing.guides);
 }
 
 TEST(Binding, HasNoMoreNeighboursThanGuides) {
@@ -129,6 +357,28 @@ TEST(Binding, RejectsWhatCannotBeBound) {
     for (const int neighbours : {0, -1, kMaxNeighbours + 1}) {
         EXPECT_THROW(bind(plane_roots(2, 1), standing.guides, standing.normals,
                           {.neighbours = neighbours}),
+                     std::invalid_argument);
+    }
+}
+
+TEST(Binding, RejectsBordersThatDoNotFit) {
+    const StandingGuides standing = standing_guides(3, 1, 17);
+    const auto regions = [&](std::size_t guides, std::size_t children) {
+        const BindBorders borders{.guide_regions = std::vector<std::uint32_t>(guides),
+                                  .child_regions = std::vector<std::uint32_t>(children),
+                                  .partings = nullptr};
+        return lancret::bind(plane_roots(2, 1), standing.guides, standing.normals, {},
+                             borders);
+    };
+    EXPECT_NO_THROW(regions(3, 2));
+    EXPECT_THROW(regions(2, 2), std::invalid_argument);
+    EXPECT_THROW(regions(3, 0), std::invalid_argument);
+    for (const double none : {0.0, -1.0, double(NAN)}) {
+        EXPECT_THROW(bind(plane_roots(2, 1), standing.guides, standing.normals,
+                          {.max_distance = none}),
+                     std::invalid_argument);
+        EXPECT_THROW(bind(plane_roots(2, 1), standing.guides, standing.normals,
+                          {.max_angle = none}),
                      std::invalid_argument);
     }
 }

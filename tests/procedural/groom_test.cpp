@@ -29,7 +29,7 @@ TEST(Groom, AnEmptyFileIsTheMadeGroom) {
     EXPECT_EQ(groom.strands, std::nullopt);
     EXPECT_EQ(child_count(groom, true, 123), 50000u);
     EXPECT_EQ(child_count(groom, false, 123), 123u);
-    EXPECT_EQ(groom.expand.blend, Blend::option1);
+    EXPECT_EQ(groom.expand.blend, Blend::detail);
     EXPECT_EQ(groom.scene.up, Vec3::UnitY());
     EXPECT_EQ(groom.scene.gravity, Vec3(0, -981, 0));
     EXPECT_DOUBLE_EQ(groom.scene.centimetres_per_unit(), 1);
@@ -120,8 +120,8 @@ TEST(Groom, ErrorsNameTheLineAndTheKeyThatWasMeant) {
               "'neighbours'?");
     EXPECT_EQ(error_of("[widths]\nroot = 1\n"),
               "g.toml:1: unknown key 'widths', did you mean 'width'?");
-    EXPECT_THAT(error_of("[strands]\nblend = \"option3\"\n"),
-                StartsWith("g.toml:2: blend 'option3' is not known, did you mean "));
+    EXPECT_THAT(error_of("[strands]\nblend = \"option4\"\n"),
+                StartsWith("g.toml:2: blend 'option4' is not known, did you mean "));
     EXPECT_THAT(error_of("\n[scene]\nup = \"y\"\n"), StartsWith("g.toml:3: "));
 }
 

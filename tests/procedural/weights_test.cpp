@@ -16,8 +16,10 @@ std::vector<float> weights_of(std::vector<double> distances, double reach,
                               std::vector<double> facing, double exponent,
                               bool* found = nullptr) {
     std::vector<float> weights(distances.size());
-    const bool any = guide_weights(distances, reach, facing, exponent, weights);
-    if (found) *found = any;
+    const std::vector<double> shares(distances.size(), 1.0);
+    const WeightSource source =
+        guide_weights(distances, shares, reach, facing, exponent, weights);
+    if (found) *found = source == WeightSource::facing;
     return weights;
 }
 
@@ -74,11 +76,122 @@ TEST(Weights, AGuideThatFacesAwayHasNone) {
     EXPECT_EQ(weights, (std::vector<float>{0, 1, 0}));
 }
 
-TEST(Weights, WhereNoneFacesTheNearestServesAndThatIsTold) {
+TEST(Weights, WhereNoneFacesGoByDistanceAloneAndThatIsTold) {
     bool found = true;
-    const auto weights = weights_of({1, 2, 3}, 4, {-0.5, -1, 0}, 2, &found);
+    const auto weights = weights_of({1, 2, 4}, 4, {-0.5, -1, 0}, 2, &found);
     EXPECT_FALSE(found);
-    EXPECT_EQ(weights, (std::vector<float>{1, 0, 0}));
+    EXPECT_EQ(weights, weights_of({1, 2, 4}, 4, {1, 1, 1}, 2));
+}
+
+TEST(Weights, AreThePapersOwnFromTheLeastFacingOn) {
+    // Alone, guide 1 has a mean facing of its own share of the weights by distance, 0.1.
+    const auto above = weights_of({1, 2, 4}, 4, {-1, 1, 1}, 2);
+    EXPECT_EQ(above, (std::vector<float>{0, 1, 0}));
+    // Of half the facing that is needed, the other half is missing for each guide:
+    // facing factors 0.025 and 0.25 + 0.025, times 0.9 and 0.1.
+    const auto below = weights_of({1, 2, 4}, 4, {-1, 0.25, 1}, 2);
+    EXPECT_NEAR(below[0], 0.0225 / (0.0225 + 0.0275), 1e-6);
+}
+
+TEST(Weights, AreContinuousAsTheLastGuideTurnsAway) {
+    // Facing factors change by at most 1 / kLeastFacing times the change of a facing, and
+    // weights by twice that: in steps of 1e-5, by 4e-4. The last of the paper's weights
+    // jumps from 1 to 0.
+    std::vector<float> before = weights_of({1, 2, 3}, 4, {-1, 0.3, -1}, 2);
+    for (double facing = 0.3; facing > -0.01; facing -= 1e-5) {
+        const auto now = weights_of({1, 2, 3}, 4, {-1, facing, -1}, 2);
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(now[k], before[k], 4.1e-4) << facing;
+        before = now;
+    }
+}
+
+TEST(Weights, OfNoShareAreNoneAndThatIsTold) {
+    std::vector<float> weights(2, 5);
+    const std::vector<double> distances{0, 1}, none{0, 0}, last{0, 1}, facing{1, 1};
+    EXPECT_EQ(guide_weights(distances, none, 2, facing, 2, weights), WeightSource::none);
+    EXPECT_EQ(weights, (std::vector<float>{0, 0}));
+    // A guide without a share has none, though the root is the child's.
+    EXPECT_EQ(guide_weights(distances, last, 2, facing, 2, weights),
+              WeightSource::facing);
+    EXPECT_EQ(weights, (std::vector<float>{0, 1}));
+}
+
+TEST(Reach, OfWholeSharesIsTheDistanceOfTheNextGuide) {
+    const std::vector<double> distances{1, 2, 3, 5, 8}, shares(5, 1.0);
+    for (std::size_t k = 1; k < 5; ++k) {
+        // Two divisions.
+        EXPECT_NEAR(neighbour_reach(distances, shares, k), distances[k], 2e-15);
+    }
+    EXPECT_EQ(neighbour_reach(distances, shares, 5), kFar);
+    EXPECT_EQ(neighbour_reach(distances, shares, 5, 10), 10);
+    EXPECT_EQ(neighbour_reach(distances, shares, 4, 6), 6);
+}
+
+TEST(Reach, OfPartialSharesIsBetweenThoseOfNoneAndOfAll) {
+    // With half of guide 2 the place from 2 to 3 is filled by guides 3 and 4, half each.
+    const std::vector<double> distances{1, 2, 3, 5, 8};
+    const double reach =
+        neighbour_reach(distances, std::vector<double>{1, 0.5, 1, 1, 1}, 2);
+    EXPECT_NEAR(reach, 1 / (0.5 / 3 + 0.5 / 5), 1e-14);
+}
+
+TEST(Reach, IsContinuousInDistancesAndShares) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(0.5, 4), share(-0.5, 1.5);
+    const auto reach_of = [](std::vector<std::pair<double, double>> guides) {
+        std::ranges::sort(guides);
+        std::vector<double> distances, shares;
+        for (const auto& [d, e] : guides) {
+            distances.push_back(d);
+            shares.push_back(std::clamp(e, 0.0, 1.0));
+        }
+        return neighbour_reach(distances, shares, 3, 4.0);
+    };
+    for (int round = 0; round < 30; ++round) {
+        // From one set of guides to another: they change order and come and go.
+        std::vector<std::pair<double, double>> from(8), to(8), now(8);
+        for (auto* set : {&from, &to}) {
+            for (auto& [d, e] : *set) d = place(random), e = share(random);
+        }
+        constexpr int kSteps = 20000;
+        double before = reach_of(from);
+        for (int i = 1; i <= kSteps; ++i) {
+            const double t = double(i) / kSteps;
+            for (std::size_t g = 0; g < 8; ++g) {
+                now[g] = {from[g].first + t * (to[g].first - from[g].first),
+                          from[g].second + t * (to[g].second - from[g].second)};
+            }
+            // 1 / Q moves by a step of the distances / Q^2 at most, 3.5 / 0.25, and by
+            // what eight shares, of at most 2 in all, move of the mass over the range of
+            // 1 / Q, 2; times reach^2, 16.
+            const double bound = 16 * (3.5 / 0.25 + 8 * 2 * 2.0) / kSteps;
+            const double reach = reach_of(now);
+            ASSERT_NEAR(reach, before, bound) << "round " << round << ", step " << i;
+            before = reach;
+        }
+    }
+}
+
+TEST(Heaviest, AreKeptWithAllTheWeight) {
+    std::vector<float> weights{0.1f, 0.4f, 0.2f, 0.3f};
+    keep_heaviest(weights, 2);
+    // 0.4 - 0.2 and 0.3 - 0.2.
+    EXPECT_NEAR(weights[1], 2.0 / 3, 1e-6);
+    EXPECT_NEAR(weights[3], 1.0 / 3, 1e-6);
+    EXPECT_EQ(weights[0], 0);
+    EXPECT_EQ(weights[2], 0);
+}
+
+TEST(Heaviest, StayAsTheyAreWhereTheyAreFew) {
+    std::vector<float> weights{0.25f, 0, 0.75f, 0};
+    keep_heaviest(weights, 2);
+    EXPECT_EQ(weights, (std::vector<float>{0.25f, 0, 0.75f, 0}));
+}
+
+TEST(Heaviest, OfEqualsTheFirstHasAll) {
+    std::vector<float> weights{0.25f, 0.25f, 0.25f, 0.25f};
+    keep_heaviest(weights, 2);
+    EXPECT_EQ(weights, (std::vector<float>{1, 0, 0, 0}));
 }
 
 TEST(Weights, SurvivePowersThatOverflow) {

@@ -54,6 +54,42 @@ TEST(BadGroom, ValueOutOfRangeIsNamedWithTheRange) {
     says("[camera]\nposition = [0, 1e30, 0]\n", "position", "1e+09");
 }
 
+TEST(BadGroom, PartingsThatAreNoLinesAreNamedWithTheirLine) {
+    const SmallGrooms folder;
+    const auto says = [&](const char* text, const char* what) {
+        EXPECT_THAT(info_of(folder, text), refuses_with("g.toml:2: ", what)) << text;
+    };
+    says("[[partings]]\npoints = [[0, 0, 0]]\n", "2 or more");
+    says("[[partings]]\npoints = [[0, 0, 0], [0, 1]]\n", "item 2");
+    says("[[partings]]\npoints = [[0, 0, 0], [0, nan, 1]]\n", "item 2");
+    says("[[partings]]\npoints = [[0, 0, 0], [0, 1e30, 1]]\n", "1e+09");
+    EXPECT_THAT(info_of(folder, "[[partings]]\npoint = [[0, 0, 0], [0, 1, 1]]\n"),
+                refuses_with("g.toml:1: ", "points"));
+    says("\npartings = 3\n", "[[partings]]");
+}
+
+TEST(BadGroom, RegionsFromTwoPlacesOrNoneAreRefused) {
+    const SmallGrooms folder;
+    EXPECT_THAT(info_of(folder, "[regions]\ntexture = 'a.png'\nids = 'a.txt'\n"),
+                refuses_with("g.toml:3: ", "texture", "ids"));
+    EXPECT_THAT(info_of(folder, "[regions]\ntextur = 'a.png'\n"),
+                refuses_with("g.toml:2: ", "textur", "texture"));
+    folder.file("ids.txt", "1\n2\n");
+    const std::string groom =
+        folder.file("g.toml",
+                    "[guides]\nsegments = 2\n[guides.made]\nstrands = 3\n"
+                    "[strands]\ncount = 3\n[regions]\nids = 'ids.txt'\n");
+    EXPECT_THAT(lancret({"check", groom}), refuses_with("ids.txt:3: ", "3 strands"));
+}
+
+TEST(BadGroom, LimitsOfGuidesThatCannotBeAreNamedWithTheRange) {
+    const SmallGrooms folder;
+    EXPECT_THAT(info_of(folder, "[strands]\nmax_distance = 0\n"),
+                refuses_with("g.toml:2: ", "max_distance", "between"));
+    EXPECT_THAT(info_of(folder, "[strands]\nmax_angle_degrees = 200\n"),
+                refuses_with("g.toml:2: ", "max_angle_degrees", "180"));
+}
+
 TEST(BadGroom, UnknownChoiceIsNamedWithTheChoices) {
     const SmallGrooms folder;
     EXPECT_THAT(info_of(folder, "[strands]\nblend = 'optoin1'\n"),
