@@ -151,7 +151,8 @@ TEST(Borders, ATextureDividesChildrenAndGuidesAlike) {
     std::size_t clear = 0;
     for (std::size_t g = 0; g < of_guides.size(); ++g) {
         const double x = made.source.guides.root_positions[g].x();
-        if (std::abs(x) > 0.01) EXPECT_EQ(of_guides[g], expected(x)) << g;
+        if (std::abs(x) < 0.01) continue;
+        EXPECT_EQ(of_guides[g], expected(x)) << g;
     }
     for (std::size_t i = 0; i < of_children.size(); ++i) {
         const double x = double(made.binding.roots.positions[i].x());

@@ -88,7 +88,7 @@ TEST(LeaveOut, WithoutAScalpNothingIsTurnedAndNothingFaces) {
             strands.points[p].z() *= -1;
     }
     const LeaveOut taken = leave_out(strands, nullptr, {.guides = {.share = 0.2}}, "g");
-    EXPECT_EQ(taken.binding.report.nearest_guide, 0u);
+    EXPECT_EQ(taken.binding.report.no_facing_guide, 0u);
     const auto& normals = taken.binding.roots.normals;
     EXPECT_TRUE(
         std::ranges::all_of(normals, [](auto& n) { return n == Vec3f::UnitZ(); }));
