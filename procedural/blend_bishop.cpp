@@ -45,13 +45,17 @@ void blend_bishop(const Child<T>& child, const GuideProfiles<T>& guides,
         weighted_roll[k] = child.weights[k] * state.frame.transpose() * swung;
     }
     states[0] = state;
+    T twist = 0;  // of the frame from the one that does not
     for (int i = 0; i < guides.count; ++i) {
         Vec3T<T> u = Vec3T<T>::Zero();
         for (std::size_t k = 0; k < child.guides.size(); ++k) {
             u += weighted_roll[k] *
                  guides.bishop[std::size_t(child.guides[k]) * guides.count + i];
         }
-        advance<T>(state, u, ds);
+        // A helix is one in a frame that twists: the child's does by the mean twist.
+        const T middle = twist + u.x() * ds / 2;
+        twist += u.x() * ds;
+        advance<T>(state, Eigen::AngleAxis<T>(-middle, Vec3T<T>::UnitX()) * u, ds);
         orthonormalize<T>(state.frame);
         states[i + 1] = state;
     }

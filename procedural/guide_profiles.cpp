@@ -76,18 +76,15 @@ Walk walk(const Guides& guides, std::size_t g, int count) {
     return out;
 }
 
-/// The Darboux vectors in the rotation-minimising frame: the carried frame, turned back
-/// about the tangent by its twist so far.
+/// The Darboux vectors, with the two bends told in the rotation-minimising frame in the
+/// middle of the interval: the carried frame, turned back by its twist so far.
 std::vector<Vec3> bishop_vectors(const Walk& path, double ds) {
     std::vector<Vec3> out;
     double twist = 0;
-    const auto frame = [&](std::size_t place) -> Mat3 {
-        return path.states[2 * place].frame * Eigen::AngleAxisd(-twist, Vec3::UnitX());
-    };
-    for (std::size_t i = 0; i < path.u.size(); ++i) {
-        const Mat3 before = frame(i);
-        twist += path.u[i].x() * ds;
-        out.push_back(rotation_log<double>(before.transpose() * frame(i + 1)) / ds);
+    for (const Vec3& u : path.u) {
+        const double middle = twist + u.x() * ds / 2;
+        out.push_back(Eigen::AngleAxisd(middle, Vec3::UnitX()) * u);
+        twist += u.x() * ds;
     }
     return out;
 }

@@ -37,8 +37,9 @@ struct GuideProfiles {
     std::vector<Vec3T<T>> positions;    ///< from the root, in the root frame, cm
     std::vector<Mat3T<T>> frames;       ///< in the root frame, n0 the tangent
     std::vector<Vec3T<T>> curvatures;   ///< of intervals: Darboux vector in `frames`
-    std::vector<Vec3T<T>> bishop;  ///< of intervals: the same in the rotation-minimising
-                                   ///< frame that starts as the root frame
+    std::vector<Vec3T<T>> bishop;  ///< of intervals: their twist, and the bends in the
+                                   ///< rotation-minimising frame that starts as the
+                                   ///< root frame, as it is in the interval's middle
     SpineBasis<T> basis;           ///< for `count` intervals
     std::vector<Spine<T>> spines;  ///< [guides], in the root frame
     std::vector<T> advances;       ///< |spine| of guides at places

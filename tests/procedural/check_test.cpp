@@ -21,7 +21,7 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 /// 120 children of gentle guides, finely cut, and what breaks them.
 struct Check : testing::Test {
     MadeHair hair{120, 32, 1, 4, 4, 0.1};
-    Curves curves = expand(hair.binding, hair.profiles, {});
+    Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
     Blend blend = Blend::option1;
 
     CheckReport report() const {
@@ -67,7 +67,7 @@ TEST_F(Check, PassesWhatIsRight) {
 
 TEST_F(Check, FindsALengthThatIsNotItsGuides) {
     hair.binding.lengths[kStrand] *= 1.001f;
-    curves = expand(hair.binding, hair.profiles, {});
+    curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
     const CheckReport found = report();
     expect_only_ours_fails(found);
     // To the length's own tolerance of single precision.
@@ -139,7 +139,8 @@ TEST_F(Check, FindsNaNInARadiusAndATangent) {
     points()[5].w = kNaN;
     EXPECT_FALSE(report().strands[kStrand].finite);
     expect_only_ours_fails(report());
-    curves = expand(hair.binding, hair.profiles, {.basis = CurveBasis::hermite});
+    curves = expand(hair.binding, hair.profiles,
+                    {.blend = Blend::option1, .basis = CurveBasis::hermite});
     EXPECT_TRUE(report().pass());
     curves.tangents[kStrand * curves.points_per_strand + 4].w = kNaN;
     expect_only_ours_fails(report());
@@ -180,7 +181,7 @@ TEST(CheckHull, FindsTorsionOutsideThatOfTheGuides) {
     MadeHair hair(100, 8, 3, 1);
     const std::uint32_t guide = hair.binding.guides[0];
     hair.profiles.intervals[guide * 8 + 3].tau += 0.1f;
-    const Curves curves = expand(hair.binding, hair.profiles, {});
+    const Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
     const CheckReport found = check(hair.binding, hair.standing.guides, hair.profiles,
                                     curves, Blend::option1, 1, {});
     for (std::size_t i = 0; i < 100; ++i) {
@@ -249,7 +250,7 @@ TEST(CheckReport, HistogramCountsDecadesOfTheLengthError) {
 TEST(CheckHull, IsNotAskedWhereAnIntervalHoldsAJoint) {
     // 26 intervals over 4 segments: those across a joint have no curvature of their own.
     MadeHair hair{120, 26, 1, 4, 4, 0.1};
-    const Curves curves = expand(hair.binding, hair.profiles, {});
+    const Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
     const CheckReport report = check(hair.binding, hair.standing.guides, hair.profiles,
                                      curves, Blend::option1, 1, {});
     for (const StrandCheck& s : report.strands) EXPECT_TRUE(s.inside_hull) << s.strand;
@@ -258,7 +259,7 @@ TEST(CheckHull, IsNotAskedWhereAnIntervalHoldsAJoint) {
 TEST(CheckHull, FindsAStrandThatBendsMoreThanItsGuides) {
     // The strands are made of one set of guides and held against a straighter one.
     MadeHair hair{120, 32, 1, 4, 4, 0.1};
-    const Curves curves = expand(hair.binding, hair.profiles, {});
+    const Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
     Guides straighter = hair.standing.guides;
     for (Vec3& u : straighter.curvatures) u *= 0.5;
     const CheckReport report =
