@@ -40,7 +40,7 @@ Turn<T> turn_of_spine(const Vec3T<T>& from, const Vec3T<T>& to) {
 /// and has no angle in it.
 template <class T>
 Turn<T> tilt_about_spine(const Vec3T<T>& tangent, const Vec3T<T>& spine, T advance) {
-    constexpr T kSoft = T(0.01);   // of a straight strand, which has no tilt to change
+    constexpr T kSoft = T(0.05);   // of a straight strand, which has no tilt to change
     constexpr T kMost = T(0.33);   // a tilt half changes by a factor of 1.4 at most
     constexpr T kShort = T(0.05);  // of a spine too short to have a direction
     const T own = std::min<T>(spine.norm(), 1);
