@@ -239,7 +239,7 @@ void add_evaluate(CLI::App& app, int& exit_code) {
         "Examples:\n"
         "  lancret evaluate groom.hair\n"
         "  lancret evaluate groom.hair --scalp head.obj --guides 400 --blend "
-        "option1,position --json figures.json\n"
+        "detail,position --json figures.json\n"
         "  lancret evaluate groom.hair --curl 0.02,8,0.1 --image strip.png");
     command->callback([options, &exit_code] { exit_code = evaluate_groom(*options); });
 }
