@@ -108,6 +108,11 @@ Subject load_subject(const Groom& groom, const std::optional<CurlSettings>& curl
     for (const std::string& warning : warnings) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }
+    if (groom.regions.any()) {
+        fmt::print(stderr,
+                   "lancret: warning: {}: [regions] has no say in an evaluation\n",
+                   groom.name);
+    }
     out.strands = curl ? wrapped_in_curls(loaded.strands, *curl, groom.seed)
                        : std::move(loaded.strands);
     return out;
@@ -169,6 +174,14 @@ int evaluate_groom(const EvaluateOptions& options) {
             report.blends.push_back(evaluate_blend(taken, profiles, blend));
             bar.show(double(report.blends.size()) / double(blends.size()));
         }
+    }
+    if (taken.fit.curvature.w1 > 0.02 || taken.fit.rms.p95 > 0.01) {
+        fmt::print(
+            stderr,
+            "lancret: warning: {}: the guides do not keep the shape of their own "
+            "strands (curvature W1 {:.3f}, RMS over length {:.4f}); the figures say "
+            "as much of that as of the blends\n",
+            job.groom.name, taken.fit.curvature.w1, taken.fit.rms.p95);
     }
     fmt::print("{}", evaluation_table(report, taken));
     std::fflush(stdout);

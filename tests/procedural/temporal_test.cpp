@@ -60,7 +60,8 @@ Steps steps_of(const HardCase& hard, Blend blend, int steps) {
 }
 
 /// Blends that must not pop: halving the time step halves the child's largest step.
-constexpr Blend kNeverPop[] = {Blend::detail, Blend::position};
+constexpr Blend kNeverPop[] = {Blend::detail, Blend::option2, Blend::option3,
+                               Blend::nearest, Blend::position};
 
 TEST(Temporal, NothingPopsAsGuidesPassThroughTheHardCases) {
     constexpr int kSteps = 200;
