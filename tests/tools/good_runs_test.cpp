@@ -116,7 +116,7 @@ TEST(Check, JsonTellsEveryFigure) {
     EXPECT_LE(report.at("orthogonality").at("max"), 1e-6);
     EXPECT_LE(report.at("length").at("max_relative_error"), 1e-5);
     EXPECT_EQ(report.at("worst").size(), 10u);
-    EXPECT_EQ(report.at("blend"), "option1");
+    EXPECT_EQ(report.at("blend"), "detail");
 }
 
 TEST(Check, FailsWhereABlendShortensCurls) {
@@ -273,7 +273,7 @@ TEST(Info, TellsWhatIsInEachKindOfFile) {
     EXPECT_THAT(obj.out, HasSubstr("area: 16 cm^2"));
     const CommandRun made = lancret({"info", folder.made});
     ASSERT_THAT(made, works());
-    EXPECT_THAT(made.out, HasSubstr("60 children by blend option1"));
+    EXPECT_THAT(made.out, HasSubstr("60 children by blend detail"));
     const std::string cache = folder.at("g.h5");
     ASSERT_THAT(lancret({"fit", folder.hair, "-o", cache, "--segments", "5"}), works());
     const CommandRun guides = lancret({"info", cache});
