@@ -18,12 +18,22 @@ struct MeshMaterial {
     std::optional<ColourMap> texture;           ///< by UV, times `colour`
 };
 
-/// Nearest texel; UVs outside [0, 1] repeat, and v runs upward.
+/// Bilinear between texel centres; UVs outside [0, 1] repeat, and v runs upward.
 inline Vec3f texture_colour(const ColourMap& map, const Vec2f& uv) {
-    const auto texel = [](float t, int size) {
-        return std::clamp(int((t - std::floor(t)) * float(size)), 0, size - 1);
+    struct Pair {
+        int low, high;
+        float share;  ///< of the higher
     };
-    return map.at(texel(uv.x(), map.width), texel(1 - uv.y(), map.height));
+    const auto texels = [](float t, int size) -> Pair {
+        const float x = (t - std::floor(t)) * float(size) - 0.5f;
+        const int low = int(std::floor(x));
+        return {(low + size) % size, (low + 1) % size, x - float(low)};
+    };
+    const Pair x = texels(uv.x(), map.width), y = texels(1 - uv.y(), map.height);
+    const auto row = [&](int at) -> Vec3f {
+        return (1 - x.share) * map.at(x.low, at) + x.share * map.at(x.high, at);
+    };
+    return (1 - y.share) * row(y.low) + y.share * row(y.high);
 }
 
 /// The surface at one hit. Local axes: z the normal on the viewer's side. Values are BSDF

@@ -90,7 +90,7 @@ void compare_lone_strand(CurveShape shape, float sigma_a) {
         ray.direction = -Vec3f::UnitZ();
         sampler.skip_to(2);
         traced.add(trace_path(scene, {}, ray, sampler).radiance.x());
-        const HairBsdf bsdf(scene.hair, Vec3f::UnitZ(), h);
+        const HairBsdf bsdf(scene.hair.model(0), Vec3f::UnitZ(), h);
         sampler.skip_to(100);
         const Vec2f picks = sampler.next(), longitude = sampler.next();
         const auto sample = bsdf.sample(picks.x(), picks.y(), longitude);
@@ -147,7 +147,7 @@ TEST(PathTracer, OneScatteringIsTheBsdfIntegratedOverTheLight) {
     PathSettings settings;
     settings.max_depth = 1;
     Mean traced, integrated;
-    const HairBsdf bsdf(scene.hair, Vec3f::UnitZ(), h);
+    const HairBsdf bsdf(scene.hair.model(0), Vec3f::UnitZ(), h);
     const Mat3f frame = frame_about(towards);
     for (std::uint32_t i = 0; i < 100000; ++i) {
         Sampler sampler(2, i, 0);
@@ -208,10 +208,11 @@ TEST(PathTracer, AMeshShowsItsTextureAtItsUvs) {
         }
         return colour;
     };
-    EXPECT_EQ(shown(0.2f, 0.9f), Vec3f(0.5f, 0, 0));
-    EXPECT_EQ(shown(0.8f, 0.9f), Vec3f(0, 1, 0));
-    EXPECT_EQ(shown(0.2f, 0.1f), Vec3f(0, 0, 1));
-    EXPECT_EQ(shown(0.8f, 0.1f), Vec3f(0.5f, 1, 1));
+    // At texel centres, where bilinear interpolation is the texel itself.
+    EXPECT_EQ(shown(0.25f, 0.75f), Vec3f(0.5f, 0, 0));
+    EXPECT_EQ(shown(0.75f, 0.75f), Vec3f(0, 1, 0));
+    EXPECT_EQ(shown(0.25f, 0.25f), Vec3f(0, 0, 1));
+    EXPECT_EQ(shown(0.75f, 0.25f), Vec3f(0.5f, 1, 1));
 }
 
 TEST(PathTracer, DeeperPathsOnlyAddLight) {
