@@ -16,6 +16,7 @@ namespace lancret {
 struct MeshMaterial {
     Vec3f colour = Vec3f(0.18f, 0.13f, 0.11f);  ///< share of light sent back, 0..1
     std::optional<ColourMap> texture;           ///< by UV, times `colour`
+    std::optional<float> coat_roughness;        ///< 0.05 to 1; none: no coat (glossy.h)
 };
 
 /// Bilinear between texel centres; UVs outside [0, 1] repeat, and v runs upward.
@@ -36,14 +37,18 @@ inline Vec3f texture_colour(const ColourMap& map, const Vec2f& uv) {
     return (1 - y.share) * row(y.low) + y.share * row(y.high);
 }
 
+/// What the surface sends back at a hit.
+inline Vec3f surface_colour(const MeshMaterial& material, const Hit& hit) {
+    if (!material.texture) return material.colour;
+    return material.colour.cwiseProduct(texture_colour(*material.texture, hit.uv));
+}
+
 /// The surface at one hit. Local axes: z the normal on the viewer's side. Values are BSDF
 /// times cosine, as those of HairBsdf.
 class Lambert {
   public:
-    Lambert(const MeshMaterial& material, const Hit& hit) : colour_(material.colour) {
-        if (material.texture)
-            colour_ = colour_.cwiseProduct(texture_colour(*material.texture, hit.uv));
-    }
+    Lambert(const MeshMaterial& material, const Hit& hit)
+        : colour_(surface_colour(material, hit)) {}
     BsdfValue evaluate(const Vec3f& wi) const {
         if (wi.z() <= 0) return {};
         return {colour_ * (wi.z() / kPi), wi.z() / kPi};

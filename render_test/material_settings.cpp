@@ -44,6 +44,7 @@ void read_material(const TomlTable& material, HairMaterial& hair, MeshMaterial& 
         groom_shading = *shading == 1;
     }
     set(mesh.colour, colour_value(material, "scalp_colour", 1));
+    set(mesh.coat_roughness, material.number("scalp_roughness", 0.05, 1));
     if (const auto file = material.path("scalp_texture")) {
         mesh.texture = read_colour_map(*file);
     }

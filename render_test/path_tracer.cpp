@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_test/glossy.h"
 #include "render_test/groom_shading.h"
 #include "render_test/sampling.h"
 
@@ -81,6 +82,10 @@ bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& 
         return scatter(scene, settings, hit, bsdf, frame, sampler, path);
     }
     frame = frame_about(hit.normal.dot(wo) > 0 ? hit.normal : Vec3f(-hit.normal));
+    if (scene.mesh.coat_roughness)
+        return scatter(scene, settings, hit,
+                       Glossy(scene.mesh, hit, frame.transpose() * wo), frame, sampler,
+                       path);
     return scatter(scene, settings, hit, Lambert(scene.mesh, hit), frame, sampler, path);
 }
 
