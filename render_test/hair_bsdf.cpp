@@ -100,7 +100,8 @@ HairModel::HairModel(const HairMaterial& material)
     s_tail = 1 / (1 + std::exp(kPi / s));
 }
 
-HairBsdf::HairBsdf(const HairModel& model, const Vec3f& wo, float h) : model_(&model) {
+HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo, float h)
+    : model_(&model) {
     const float sine_o = std::clamp(wo.x(), -1.0f, 1.0f);
     const float cosine_o = std::sqrt(1 - square(sine_o));
     const float gamma_o = std::asin(h);
@@ -118,7 +119,7 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& wo, float h) : model_(&m
     const float f =
         fresnel_dielectric(cosine_o * std::sqrt(std::max(0.0f, 1 - h * h)), model.eta);
     const float enters = std::max(0.0f, 1 - f);
-    const Eigen::Array3f depth = model.sigma_a.array() * length;
+    const Eigen::Array3f depth = sigma_a.array() * length;
     const Eigen::Array3f transmitted = (-depth).exp();
     lobes_[0].attenuation.setConstant(f);
     lobes_[1].attenuation = square(enters) * transmitted;
@@ -145,19 +146,27 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& wo, float h) : model_(&m
     for (Lobe& lobe : lobes_) lobe.probability /= total;
 }
 
+float HairBsdf::density(int lobe, float sine_i, float cosine_i, float phi) const {
+    const Lobe& at = lobes_[lobe];
+    const float n =
+        lobe + 1 < kHairLobes ? azimuthal(wrapped(phi - at.phi), *model_) : 1 / (2 * kPi);
+    return n * longitudinal(sine_i, cosine_i, at.sine, at.cosine, model_->lobes[lobe]);
+}
+
+float HairBsdf::lobe_density(int lobe, const Vec3f& wi) const {
+    return density(lobe, std::clamp(wi.x(), -1.0f, 1.0f), std::hypot(wi.y(), wi.z()),
+                   std::atan2(wi.z(), wi.y()));
+}
+
 BsdfValue HairBsdf::evaluate(const Vec3f& wi) const {
     const float sine_i = std::clamp(wi.x(), -1.0f, 1.0f);
     const float cosine_i = std::hypot(wi.y(), wi.z());
     const float phi = std::atan2(wi.z(), wi.y());
     BsdfValue at;
     for (int p = 0; p < kHairLobes; ++p) {
-        const Lobe& lobe = lobes_[p];
-        const float n = p + 1 < kHairLobes ? azimuthal(wrapped(phi - lobe.phi), *model_)
-                                           : 1 / (2 * kPi);
-        const float mn =
-            n * longitudinal(sine_i, cosine_i, lobe.sine, lobe.cosine, model_->lobes[p]);
-        at.value += mn * lobe.attenuation;
-        at.pdf += mn * lobe.probability;
+        const float mn = density(p, sine_i, cosine_i, phi);
+        at.value += mn * lobes_[p].attenuation;
+        at.pdf += mn * lobes_[p].probability;
     }
     return at;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "procedural/toml_table.h"
-#include "render_test/camera.h"
+#include "render_test/camera_settings.h"
 #include "render_test/render.h"
 
 namespace lancret {
@@ -13,12 +13,8 @@ struct PreviewSettings {
     HairMaterial hair;
     MeshMaterial mesh;
     RenderSettings render;
-    std::optional<Vec3f> camera_position;  ///< cm; none: the camera frames the groom
-    std::optional<Vec3f> camera_target;    ///< cm; none: the middle of the groom
-    std::optional<Vec3f> view;  ///< direction of sight; none: from the front, a little
-                                ///< to the side and above
-    float field_of_view = 0.5236f;  ///< vertical, radian (30 degrees)
-    float margin = 1.15f;
+    CameraSettings camera;
+    float least_width = 0;         ///< pixels that a strand is drawn wide at least
     std::optional<Lights> lights;  ///< none: the default rig
     std::optional<Vec2> shutter;   ///< frames after the frame, opens <= closes; none: the
                                    ///< frame as it is, without motion blur

@@ -12,22 +12,31 @@ namespace {
 
 constexpr int kTile = 16;
 
+/// The pair of random dimensions for the lens, far from those of paths.
+constexpr std::uint32_t kLensPair = 0x30000;
+
 void render_pixel(const RenderScene& scene, const Camera& camera,
                   const RenderSettings& settings, int x, int y, Image& image) {
     const std::size_t pixel = std::size_t(y) * settings.width + x;
     const Vec2f size(float(settings.width), float(settings.height));
     Vec3f radiance = Vec3f::Zero(), normal = Vec3f::Zero(), tangent = Vec3f::Zero();
-    float depth = 0;
+    float depth = 0, coverage = 0;
     int hits = 0;
     for (int s = 0; s < settings.samples; ++s) {
         Sampler sampler(settings.seed, std::uint32_t(pixel), std::uint32_t(s));
         const Vec2f place =
             (Vec2f(float(x), float(y)) + sampler.next()).cwiseQuotient(size);
         Ray ray = camera.ray(place);
+        if (camera.lens_radius > 0) {
+            Sampler lens(settings.seed, std::uint32_t(pixel), std::uint32_t(s));
+            lens.skip_to(kLensPair);
+            ray = camera.ray(place, lens.next());
+        }
         // One time a path; a pixel's times are spread evenly over the shutter.
         if (scene.geometry->moves()) ray.time = sampler.next().x();
         const PathResult path = trace_path(scene, settings.path, ray, sampler);
         radiance += path.radiance;
+        coverage += path.coverage;
         if (path.first) {
             ++hits;
             depth += path.first->distance * ray.direction.dot(camera.view());
@@ -42,7 +51,7 @@ void render_pixel(const RenderScene& scene, const Camera& camera,
                                                                   : kMeshId;
     }
     const float share = 1 / float(settings.samples);
-    const float alpha = settings.path.show_environment ? 1 : float(hits) * share;
+    const float alpha = settings.path.show_environment ? 1 : coverage * share;
     radiance *= share;
     if (!radiance.allFinite())
         throw std::runtime_error("pixel " + std::to_string(x) + ", " + std::to_string(y) +

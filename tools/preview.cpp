@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 
 #include "guides/errors.h"
 #include "procedural/check_figures.h"
 #include "render_test/embree_scene.h"
+#include "render_test/thin_strands.h"
 #include "tools/command.h"
 #include "tools/frames.h"
 #include "tools/progress.h"
@@ -96,7 +98,17 @@ PictureCost picture(Generator& generator, const RestPlaces& rest,
     for (const ShownTime& m : moments) {
         scene_times.push_back({&m.curves, m.body ? &*m.body : nullptr});
     }
-    const HairScene geometry(scene_times);
+    HairSceneOptions options;
+    std::vector<std::vector<float>> true_radii;
+    if (job.preview.least_width > 0) {
+        for (ShownTime& m : moments) {
+            true_radii.push_back(widen_thin_strands(m.curves, std::array{camera},
+                                                    job.preview.render.height,
+                                                    job.preview.least_width));
+        }
+        options.true_radii = true_radii.front();
+    }
+    const HairScene geometry(scene_times, options);
     cost.bvh = geometry.build_seconds();
     cost.bvh_bytes = geometry.bvh_bytes();
     scene.geometry = &geometry;
@@ -159,7 +171,7 @@ int preview(const PreviewOptions& options) {
         extent(generator.profiles, generator.source.guides, job.groom.bind.length_scale),
         up);
     RenderScene scene;
-    scene.hair = HairModel(job.preview.hair);
+    scene.hair = HairLook(job.preview.hair);
     scene.mesh = job.preview.mesh;
     scene.lights =
         job.preview.lights ? *job.preview.lights : default_lights(camera.view(), up);
