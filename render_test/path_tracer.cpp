@@ -14,10 +14,24 @@ constexpr std::uint32_t kCameraPairs = 2, kBouncePairs = 4;
 
 /// A path on its way: what it has gathered, and what it still lets through.
 struct Path {
+    const RenderScene& scene;
+    std::vector<TracedRay>* record;
     Ray ray;
     Vec3f radiance = Vec3f::Zero();
     Vec3f throughput = Vec3f::Ones();
     float pdf = 0;  ///< of the ray's direction, 1/sr
+    std::uint32_t rays = 0;
+
+    std::optional<Hit> intersect() {
+        ++rays;
+        if (record) record->push_back({ray, false});
+        return scene.geometry->intersect(ray);
+    }
+    bool occluded(const Ray& shadow) {
+        ++rays;
+        if (record) record->push_back({shadow, true});
+        return scene.geometry->occluded(shadow);
+    }
 };
 
 /// One scattering at `hit`: adds light that arrives directly and turns the ray. False
@@ -45,7 +59,7 @@ bool scatter(const RenderScene& scene, const Hit& hit, const Bsdf& bsdf,
     if (light.pdf > 0) {
         const BsdfValue at = bsdf.evaluate(frame.transpose() * light.direction);
         const Vec3f arrives = at.value.cwiseProduct(light.radiance);
-        if (arrives.maxCoeff() > 0 && !scene.geometry->occluded(start(light.direction)))
+        if (arrives.maxCoeff() > 0 && !path.occluded(start(light.direction)))
             path.radiance += path.throughput.cwiseProduct(arrives) *
                              (mis_weight(light.pdf, at.pdf) / light.pdf);
     }
@@ -86,10 +100,9 @@ float strand_clearance(const Hit& hit, const Vec3f& direction) {
 PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ray ray,
                       Sampler& sampler) {
     PathResult result;
-    Path path;
-    path.ray = ray;
+    Path path{.scene = scene, .record = settings.record, .ray = ray};
     for (int depth = 0;; ++depth) {
-        const std::optional<Hit> hit = scene.geometry->intersect(path.ray);
+        const std::optional<Hit> hit = path.intersect();
         if (depth == 0) result.first = hit;
         if (!hit && depth == 0) {
             if (settings.show_environment)
@@ -117,6 +130,7 @@ PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ra
         if (!scatter(scene, *hit, sampler, path)) break;
     }
     result.radiance = path.radiance;
+    result.rays = path.rays;
     return result;
 }
 

@@ -2,7 +2,9 @@
 // Light along one path: next-event estimation and sampling of the material, combined by
 // multiple importance sampling [Veach 1997].
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "render_test/embree_scene.h"
 #include "render_test/hair_bsdf.h"
@@ -20,15 +22,23 @@ struct RenderScene {
     Lights lights;
 };
 
+/// A ray as it was asked of the scene.
+struct TracedRay {
+    Ray ray;
+    bool shadow;  ///< whether anything is met, and not what
+};
+
 struct PathSettings {
     int max_depth = 64;             ///< scatterings along a path; pale hair needs many
     int roulette_depth = 8;         ///< from here on, a path ends by chance
     bool show_environment = false;  ///< to the camera; then alpha is one everywhere
+    std::vector<TracedRay>* record = nullptr;  ///< gets every ray; for one thread alone
 };
 
 struct PathResult {
     Vec3f radiance = Vec3f::Zero();
     std::optional<Hit> first;  ///< what the camera sees
+    std::uint32_t rays = 0;    ///< traced, shadow rays too
 };
 
 /// Follows one path. Nothing is clamped: a sample may be far brighter than its pixel.

@@ -12,13 +12,15 @@ namespace {
 
 constexpr int kTile = 16;
 
-void render_pixel(const RenderScene& scene, const Camera& camera,
+/// Gives the rays traced.
+std::uint64_t render_pixel(const RenderScene& scene, const Camera& camera,
                   const RenderSettings& settings, int x, int y, Image& image) {
     const std::size_t pixel = std::size_t(y) * settings.width + x;
     const Vec2f size(float(settings.width), float(settings.height));
     Vec3f radiance = Vec3f::Zero(), normal = Vec3f::Zero(), tangent = Vec3f::Zero();
     float depth = 0;
     int hits = 0;
+    std::uint64_t rays = 0;
     for (int s = 0; s < settings.samples; ++s) {
         Sampler sampler(settings.seed, std::uint32_t(pixel), std::uint32_t(s));
         const Vec2f place =
@@ -28,6 +30,7 @@ void render_pixel(const RenderScene& scene, const Camera& camera,
         if (scene.geometry->moves()) ray.time = sampler.next().x();
         const PathResult path = trace_path(scene, settings.path, ray, sampler);
         radiance += path.radiance;
+        rays += path.rays;
         if (path.first) {
             ++hits;
             depth += path.first->distance * ray.direction.dot(camera.view());
@@ -48,17 +51,18 @@ void render_pixel(const RenderScene& scene, const Camera& camera,
         throw std::runtime_error("pixel " + std::to_string(x) + ", " + std::to_string(y) +
                                  " is not a finite number: please report this");
     image.rgba[pixel] = {radiance.x(), radiance.y(), radiance.z(), alpha};
-    if (hits == 0) return;
+    if (hits == 0) return rays;
     image.depth[pixel] = depth / float(hits);
     image.normal[pixel] = normal / float(hits);
     image.tangent[pixel] = tangent / float(hits);
+    return rays;
 }
 
 }  // namespace
 
 Image render(const RenderScene& scene, const Camera& camera,
              const RenderSettings& settings,
-             const std::function<void(double done)>& progress) {
+             const std::function<void(const RenderProgress&)>& progress) {
     if (!scene.geometry) throw std::invalid_argument("a render needs geometry");
     if (settings.width < 1 || settings.height < 1 || settings.width > 32768 ||
         settings.height > 32768)
@@ -72,14 +76,17 @@ Image render(const RenderScene& scene, const Camera& camera,
     const int down = (settings.height + kTile - 1) / kTile;
     std::mutex mutex;
     int done = 0;
+    std::uint64_t rays = 0;
     tbb::parallel_for(0, across * down, [&](int tile) {
         const int x0 = tile % across * kTile, y0 = tile / across * kTile;
+        std::uint64_t traced = 0;
         for (int y = y0; y < std::min(y0 + kTile, settings.height); ++y)
             for (int x = x0; x < std::min(x0 + kTile, settings.width); ++x)
-                render_pixel(scene, camera, settings, x, y, image);
+                traced += render_pixel(scene, camera, settings, x, y, image);
         if (!progress) return;
         const std::lock_guard lock(mutex);
-        progress(double(++done) / (across * down));
+        rays += traced;
+        progress({double(++done) / (across * down), rays});
     });
     return image;
 }

@@ -17,12 +17,17 @@ struct RenderSettings {
     PathSettings path;
 };
 
+struct RenderProgress {
+    double done = 0;         ///< share, 0..1
+    std::uint64_t rays = 0;  ///< traced so far, shadow rays too
+};
+
 /// Renders on all threads; the same bits for any number of them. `progress`, where given,
-/// is called with the share done, 0..1, from any thread but one at a time. Throws
+/// is called from any thread but one at a time. Throws
 /// std::invalid_argument where a setting is out of its range, std::runtime_error where a
 /// pixel is not a finite number.
 Image render(const RenderScene& scene, const Camera& camera,
              const RenderSettings& settings,
-             const std::function<void(double done)>& progress = {});
+             const std::function<void(const RenderProgress&)>& progress = {});
 
 }  // namespace lancret

@@ -103,7 +103,8 @@ PictureCost picture(Generator& generator, const RestPlaces& rest,
     Stopwatch watch;
     ProgressBar bar(title);
     const Image image =
-        render(scene, camera, job.preview.render, [&](double done) { bar.show(done); });
+        render(scene, camera, job.preview.render,
+               [&](const RenderProgress& progress) { bar.show(progress.done); });
     scene.geometry = nullptr;
     cost.render = watch.lap();
     write_image(output, image, job.preview.background);

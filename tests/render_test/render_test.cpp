@@ -132,9 +132,9 @@ TEST(Render, ProgressEndsAtOneAndNeverFalls) {
     const Groom groom;
     double last = 0;
     int calls = 0;
-    render(groom.scene, groom.camera, groom.settings, [&](double done) {
-        EXPECT_GT(done, last);
-        last = done;
+    render(groom.scene, groom.camera, groom.settings, [&](const RenderProgress& p) {
+        EXPECT_GT(p.done, last);
+        last = p.done;
         ++calls;
     });
     EXPECT_EQ(last, 1);
