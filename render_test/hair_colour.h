@@ -32,4 +32,8 @@ Vec3f sigma_a_of_colour(const Vec3f& colour, float beta_n);
 /// range.
 Vec3f sigma_a_of(const HairMaterial& material);
 
+/// The same fibre with both roughnesses at least `least` (0.01 to 1). It absorbs as
+/// before, even where a colour was given. Throws as sigma_a_of.
+HairMaterial widened(const HairMaterial& material, float least);
+
 }  // namespace lancret

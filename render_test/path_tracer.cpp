@@ -72,12 +72,15 @@ bool scatter(const RenderScene& scene, const Hit& hit, const Bsdf& bsdf,
     return path.throughput.maxCoeff() > 0;
 }
 
-bool scatter(const RenderScene& scene, const Hit& hit, Sampler& sampler, Path& path) {
+bool scatter(const RenderScene& scene, const Hit& hit, int depth, Sampler& sampler,
+             Path& path) {
     const Vec3f wo = -path.ray.direction;
     Mat3f frame;
     if (hit.kind == Hit::Kind::strand) {
         frame << hit.tangent, hit.facing.cross(hit.tangent), hit.facing;
-        const HairBsdf bsdf(scene.hair, frame.transpose() * wo, hit.h);
+        const HairModel& hair =
+            depth > 0 && scene.later_hair ? *scene.later_hair : scene.hair;
+        const HairBsdf bsdf(hair, frame.transpose() * wo, hit.h);
         return scatter(scene, hit, bsdf, frame, sampler, path);
     }
     frame = frame_about(hit.normal.dot(wo) > 0 ? hit.normal : Vec3f(-hit.normal));
@@ -127,7 +130,7 @@ PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ra
             path.throughput /= survival;
             sampler.skip_to(kCameraPairs + kBouncePairs * std::uint32_t(depth));
         }
-        if (!scatter(scene, *hit, sampler, path)) break;
+        if (!scatter(scene, *hit, depth, sampler, path)) break;
     }
     result.radiance = path.radiance;
     result.rays = path.rays;

@@ -18,6 +18,10 @@ namespace lancret {
 struct RenderScene {
     const HairScene* geometry = nullptr;
     HairModel hair{HairMaterial{}};
+    /// Of every scattering after a path's first. Path regularisation: `widened` hair
+    /// there leaves less noise and is a little brighter (docs/render_speed.md). None: as
+    /// `hair`.
+    std::optional<HairModel> later_hair;
     MeshMaterial mesh;
     Lights lights;
 };

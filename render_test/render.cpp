@@ -14,7 +14,7 @@ constexpr int kTile = 16;
 
 /// Gives the rays traced.
 std::uint64_t render_pixel(const RenderScene& scene, const Camera& camera,
-                  const RenderSettings& settings, int x, int y, Image& image) {
+                           const RenderSettings& settings, int x, int y, Image& image) {
     const std::size_t pixel = std::size_t(y) * settings.width + x;
     const Vec2f size(float(settings.width), float(settings.height));
     Vec3f radiance = Vec3f::Zero(), normal = Vec3f::Zero(), tangent = Vec3f::Zero();

@@ -23,7 +23,7 @@ namespace {
 struct Options {
     std::string scene = "A";
     int threads = 2, tessellation = 1, reference_samples = 1024;
-    float eumelanin = 1.3f;
+    float eumelanin = 1.3f, regularisation = 0;
     RenderSettings render;
     bool tiles = false;
     std::string reference, picture;
@@ -80,8 +80,8 @@ Traced trace_pixel(const SphereScene& made, const RenderSettings& settings,
 
 /// Luminance and coverage of the measured pixels at many samples, without
 /// regularisation; from the file where it is there.
-std::vector<Eigen::Vector2f> reference_of(const SphereScene& made,
-                                          const Options& options) {
+std::vector<Eigen::Vector2f> reference_of(SphereScene& made, const Options& options) {
+    made.scene.later_hair.reset();
     const auto pixels = measured_pixels();
     std::vector<Eigen::Vector2f> out(pixels.size());
     const auto bytes = std::streamsize(out.size() * sizeof(out[0]));
@@ -117,7 +117,7 @@ void print_noise(const std::vector<Eigen::Vector2f>& reference,
 }
 
 /// On one thread: noise, and how much of the time is Embree's.
-void measure(const SphereScene& made, const Options& options) {
+void measure(SphereScene& made, const Options& options) {
     const auto pixels = measured_pixels();
     std::vector<Traced> traced(pixels.size());
     std::vector<TracedRay> rays;
@@ -148,11 +148,11 @@ void measure(const SphereScene& made, const Options& options) {
         1e-6 * double(rays.size()), 100.0 * double(met) / double(rays.size()),
         count / ours, count / alone, alone / ours);
     if (options.reference.empty()) return;
-    const auto reference = reference_of(made, options);
     settings.samples = options.render.samples;
     const double start = user_seconds();
     trace();
-    print_noise(reference, traced, user_seconds() - start);
+    const double seconds = user_seconds() - start;
+    print_noise(reference_of(made, options), traced, seconds);
 }
 
 /// What is known when the scene is built.
@@ -190,6 +190,8 @@ int run(Options& options) {
     HairMaterial material;
     material.eumelanin = options.eumelanin;
     made.scene.hair = HairModel(material);
+    if (options.regularisation > 0)
+        made.scene.later_hair = HairModel(widened(material, options.regularisation));
     const double memory_before = memory("VmRSS") - double(made.curves.bytes());
     Stopwatch watch;
     const double user_before = user_seconds();
@@ -218,6 +220,8 @@ int main(int count, char** arguments) {
     app.add_option("--roulette", options.render.path.roulette_depth);
     app.add_option("--tessellation", options.tessellation);
     app.add_option("--eumelanin", options.eumelanin);
+    app.add_option("--regularisation", options.regularisation,
+                   "roughness from the second vertex on, at least; 0: off");
     app.add_option("--seed", options.render.seed);
     app.add_option("--reference", options.reference,
                    "file of a reference; made where it is not there");
