@@ -36,13 +36,11 @@ struct BsdfSample {
 struct HairModel {
     explicit HairModel(const HairMaterial& material);  ///< throws std::invalid_argument
 
-    struct Lobe {
-        float variance;      ///< v of M
-        float spread;        ///< 1 - exp(-2 / v)
-        float sine, cosine;  ///< of the turn of wo's inclination by the scales' tilt
-    };
-    std::array<Lobe, kHairLobes> lobes;
-    Vec3f sigma_a;  ///< per radius
+    // One number a lobe.
+    Eigen::Array4f variance;      ///< v of M
+    Eigen::Array4f spread;        ///< 1 - exp(-2 / v)
+    Eigen::Array4f sine, cosine;  ///< of the turn of wo's inclination by the scales' tilt
+    Vec3f sigma_a;                ///< per radius
     float eta;
     float s;       ///< scale of the logistic N
     float s_tail;  ///< its distribution function at -pi, untrimmed
@@ -60,14 +58,13 @@ class HairBsdf {
                                      const Vec2f& longitude) const;
 
   private:
-    struct Lobe {
-        Vec3f attenuation;   ///< A
-        float probability;   ///< of sampling it
-        float sine, cosine;  ///< of wo's inclination, turned by the tilt
-        float phi;           ///< azimuth of the specular path; unused by the residual
-    };
+    BsdfValue evaluate(float sine_i, float cosine_i, float phi_i) const;
+
     const HairModel* model_;
-    std::array<Lobe, kHairLobes> lobes_;
+    std::array<Vec3f, kHairLobes> attenuation_;  ///< A
+    Eigen::Array4f probability_;                 ///< of sampling each lobe
+    Eigen::Array4f sine_, cosine_;  ///< of wo's inclination, turned by the tilt
+    Eigen::Array4f phi_;  ///< azimuth of the specular path; unused by the residual
 };
 
 /// Reflectance of a dielectric interface of relative index `eta` > 1, met from outside.

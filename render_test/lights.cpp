@@ -1,5 +1,6 @@
 #include "render_test/lights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -15,8 +16,10 @@ bool Lights::Disc::holds(const Vec3f& direction) const {
 
 Lights::Lights(Environment environment, const std::vector<DistantLight>& distant)
     : environment_(std::move(environment)) {
-    // Shares by what a surface that faces each light receives.
-    environment_share_ = kPi * environment_.mean_luminance();
+    // Shares by what a surface that faces each light receives; less for an even
+    // environment, which scattering finds as well.
+    environment_share_ =
+        kPi * environment_.mean_luminance() * std::max(0.05f, environment_.unevenness());
     float total = environment_share_;
     for (const DistantLight& light : distant) {
         if (!(light.angular_radius >= 0.0005f && light.angular_radius <= 1.5f))
@@ -43,20 +46,20 @@ Lights::Lights(Environment environment, const std::vector<DistantLight>& distant
     for (Disc& disc : discs_) disc.share /= total;
 }
 
-Vec3f Lights::radiance(const Vec3f& direction) const {
-    Vec3f sum = environment_.radiance(direction);
+LightSample Lights::along(const Vec3f& direction) const {
+    LightSample sum = environment_.along(direction);
+    sum.pdf = environment_share_ > 0 ? environment_share_ * sum.pdf : 0;
     for (const Disc& disc : discs_)
-        if (disc.holds(direction)) sum += disc.radiance;
+        if (disc.holds(direction)) {
+            sum.radiance += disc.radiance;
+            sum.pdf += disc.share * disc.pdf;
+        }
     return sum;
 }
 
-float Lights::pdf(const Vec3f& direction) const {
-    float sum =
-        environment_share_ > 0 ? environment_share_ * environment_.pdf(direction) : 0;
-    for (const Disc& disc : discs_)
-        if (disc.holds(direction)) sum += disc.share * disc.pdf;
-    return sum;
-}
+Vec3f Lights::radiance(const Vec3f& direction) const { return along(direction).radiance; }
+
+float Lights::pdf(const Vec3f& direction) const { return along(direction).pdf; }
 
 LightSample Lights::sample(float pick, const Vec2f& random) const {
     LightSample sample;
@@ -79,9 +82,7 @@ LightSample Lights::sample(float pick, const Vec2f& random) const {
         if (!(environment_share_ > 0)) return sample;
         sample.direction = environment_.sample(random).direction;
     }
-    sample.radiance = radiance(sample.direction);
-    sample.pdf = pdf(sample.direction);
-    return sample;
+    return along(sample.direction);
 }
 
 Lights default_lights(const Vec3f& view, const Vec3f& up) {

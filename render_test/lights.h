@@ -27,6 +27,8 @@ class Lights {
     float pdf(const Vec3f& direction) const;  ///< 1/sr
     /// `pick` chooses the light. Density 0 where there is no light at all.
     LightSample sample(float pick, const Vec2f& random) const;
+    /// radiance and pdf along a direction.
+    LightSample along(const Vec3f& direction) const;
     const Environment& environment() const { return environment_; }
 
   private:

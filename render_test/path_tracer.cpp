@@ -113,10 +113,9 @@ PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ra
             break;
         }
         if (!hit) {
-            const Vec3f& direction = path.ray.direction;
-            path.radiance +=
-                path.throughput.cwiseProduct(scene.lights.radiance(direction)) *
-                mis_weight(path.pdf, scene.lights.pdf(direction));
+            const LightSample light = scene.lights.along(path.ray.direction);
+            path.radiance += path.throughput.cwiseProduct(light.radiance) *
+                             mis_weight(path.pdf, light.pdf);
             break;
         }
         if (depth == settings.max_depth) break;

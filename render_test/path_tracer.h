@@ -34,7 +34,7 @@ struct TracedRay {
 
 struct PathSettings {
     int max_depth = 64;             ///< scatterings along a path; pale hair needs many
-    int roulette_depth = 8;         ///< from here on, a path ends by chance
+    int roulette_depth = 2;         ///< from here on, a path ends by chance
     bool show_environment = false;  ///< to the camera; then alpha is one everywhere
     std::vector<TracedRay>* record = nullptr;  ///< gets every ray; for one thread alone
 };

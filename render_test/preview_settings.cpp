@@ -137,6 +137,7 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
     set(out.render.seed,
         render.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     set(out.render.path.max_depth, render.integer("max_depth", 1, 10000));
+    set(out.regularisation, render.number("regularisation", 0, 1));
     set(out.background, colour(render, "background", 1e6));
     out.shutter = render.pair("shutter");
     if (out.shutter && !is_shutter(*out.shutter)) {
@@ -149,6 +150,11 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
 }
 
 }  // namespace
+
+std::optional<HairModel> later_hair(const PreviewSettings& settings) {
+    if (!(settings.regularisation > 0)) return std::nullopt;
+    return HairModel(widened(settings.hair, settings.regularisation));
+}
 
 bool is_shutter(const Vec2& shutter) {
     // Written so that a NaN is none.

@@ -13,6 +13,8 @@ struct PreviewSettings {
     HairMaterial hair;
     MeshMaterial mesh;
     RenderSettings render;
+    float regularisation = 0.5f;  ///< roughness of hair after a path's first scattering,
+                                  ///< at least; 0: as the material is
     std::optional<Vec3f> camera_position;  ///< cm; none: the camera frames the groom
     std::optional<Vec3f> camera_target;    ///< cm; none: the middle of the groom
     std::optional<Vec3f> view;  ///< direction of sight; none: from the front, a little
@@ -25,6 +27,9 @@ struct PreviewSettings {
     int motion_samples = 3;        ///< times in the shutter, 2 to kMostSceneTimes
     Vec3f background = Vec3f::Constant(0.18f);  ///< linear, behind a PNG
 };
+
+/// What RenderScene's later_hair is by these settings.
+std::optional<HairModel> later_hair(const PreviewSettings& settings);
 
 /// Whether a shutter may be: within a thousand frames, and not closed before it opens.
 bool is_shutter(const Vec2& shutter);
