@@ -6,7 +6,7 @@ BUILD := build/$(PRESET)
 LANCRET := $(BUILD)/tools/lancret
 SOURCES := $(shell git ls-files '*.h' '*.cpp' 2>/dev/null)
 
-.PHONY: all preview test test-slow bench format format-check lint deps clean
+.PHONY: all preview evaluate test test-slow bench format format-check lint deps clean
 
 all: deps
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
@@ -27,6 +27,17 @@ preview: deps
 	$(LANCRET) preview out/cache.h5 --frames 9-13 --size 320x320 --samples 16 -o out/turn.####.png
 	$(LANCRET) check out/cache.h5 --frames 9-13 --json out/check.json
 	@echo "The pictures are out/preview.png and out/turn.*.png, the proof is out/check.json."
+
+# Every blend on made grooms, straight to tightly curled: tables, figures and pictures in
+# out/evaluate/. More grooms: make evaluate GROOMS="groom.hair other.toml".
+GROOMS ?= $(wildcard examples/evaluate/*.toml)
+evaluate: deps
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret
+	@mkdir -p out/evaluate
+	@set -e; for groom in $(GROOMS); do name=$$(basename $${groom%.*}); \
+	  $(LANCRET) evaluate $$groom --json out/evaluate/$$name.json --image out/evaluate/$$name.png --size 240x300; \
+	done
 
 test: deps
 	cmake --preset $(PRESET) -DLANCRET_TESTS=ON

@@ -1,6 +1,7 @@
 #include "guides/super_helix_reading.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "guides/rotation_minimizing.h"
 

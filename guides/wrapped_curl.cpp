@@ -2,11 +2,14 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
 #include "guides/curve.h"
+#include "guides/errors.h"
 #include "guides/hash.h"
 #include "guides/rotation_minimizing.h"
 
@@ -24,6 +27,9 @@ constexpr double kGrowth = 0.2;
 constexpr double kPointsPerTurn = 24;
 constexpr int kLeastPoints = 64;
 
+/// Turns differ from strand to strand by so many standard deviations at most.
+constexpr double kMostDeviations = 3;
+
 /// What is drawn for a strand.
 struct DrawnCurl {
     double turns, phase;
@@ -37,7 +43,8 @@ DrawnCurl drawn_curl(const CurlSettings& curl, std::uint64_t seed, std::size_t s
     // Box and Muller's normal number.
     const double normal =
         std::sqrt(-2 * std::log(1 - draw(0))) * std::cos(kTwoPi * draw(1));
-    return {std::max(0.0, curl.turns * (1 + curl.jitter * normal)), kTwoPi * draw(2)};
+    const double within = std::clamp(normal, -kMostDeviations, kMostDeviations);
+    return {std::max(0.0, curl.turns * (1 + curl.jitter * within)), kTwoPi * draw(2)};
 }
 
 }  // namespace
@@ -51,7 +58,8 @@ Strands wrapped_in_curls(const Strands& strands, const CurlSettings& curl,
         !within(curl.jitter, 1)) {
         throw std::invalid_argument("wrapped_in_curls: a setting is out of its range");
     }
-    const int n = std::max(kLeastPoints, int(std::ceil(kPointsPerTurn * curl.turns)));
+    const double most_turns = curl.turns * (1 + kMostDeviations * curl.jitter);
+    const int n = std::max(kLeastPoints, int(std::ceil(kPointsPerTurn * most_turns)));
     std::vector<std::vector<Vec3f>> wound(strands.size());
     tbb::parallel_for(std::size_t(0), strands.size(), [&](std::size_t i) {
         const auto curve = strand_curve(strands, i);
@@ -74,10 +82,18 @@ Strands wrapped_in_curls(const Strands& strands, const CurlSettings& curl,
     out.default_thickness = strands.default_thickness;
     out.default_transparency = strands.default_transparency;
     out.default_colour = strands.default_colour;
-    for (const auto& points : wound) {
+    std::size_t total = 0;
+    for (const auto& points : wound) total += points.size();
+    if (total > std::numeric_limits<std::uint32_t>::max()) {
+        throw InputError(
+            "curls of so many turns have more points than 32 bits can count");
+    }
+    out.points.reserve(total);
+    for (auto& points : wound) {
         if (points.empty()) continue;
         out.points.insert(out.points.end(), points.begin(), points.end());
         out.first.push_back(std::uint32_t(out.points.size()));
+        points = {};
     }
     return out;
 }

@@ -80,7 +80,8 @@ Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals
              const BindSettings& settings, const BindBorders& borders = {});
 
 /// Child i as a blend reads it, with room for what it points to. `profiles` may be of any
-/// time: the turn from guide to child is that of the rest pose.
+/// time; the turn from guide to child is that between the scalp's normals of the pose
+/// that the binding is in: that of rest, carried along, where the head moves rigidly.
 template <class T>
 struct BoundChild {
     std::uint32_t guides[kMaxNeighbours];

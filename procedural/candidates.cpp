@@ -90,8 +90,9 @@ const Candidates& CandidateFinder::find(const Vec3& place, const Vec3& up,
         const bool all = out_.size < want;
         last = all ? kFar : out_.distances[out_.size - 1];
         // Sums of whole shares are exact.
-        if (all || sum >= double(k + 1) || last >= settings_.max_distance ||
-            want == kMaxCandidates) {
+        const bool far_enough =
+            last >= settings_.max_distance && out_.first_in_sight().has_value();
+        if (all || sum >= double(k + 1) || far_enough || want == kMaxCandidates) {
             break;
         }
         want = std::min(4 * want, kMaxCandidates);

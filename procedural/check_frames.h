@@ -26,8 +26,8 @@ struct FrameCheck {
 struct StepCheck {
     double from = 0, to = 0;  ///< frames
     TemporalReport motion;
-    std::optional<double> bound;  ///< of the amplification, where the blend has one
-    bool pass = true;
+    bool bounded = false;  ///< children of this blend have a bound
+    bool pass = true;      ///< and keep it
 };
 
 /// What was found in all frames. Every strand's findings are kept of one frame alone.
@@ -46,8 +46,7 @@ void add_frame(FramesReport& report, double frame, CheckReport children,
 
 /// Adds how children moved from one frame to the next. Fails where the blend has a bound
 /// and a child goes beyond it by more than round-off.
-void add_step(FramesReport& report, double from, double to, const TemporalReport& motion,
-              Blend blend);
+void add_step(FramesReport& report, double from, double to, const TemporalReport& motion);
 
 /// A table: each figure's maximum over the frames, its tolerance, and in which frame it
 /// is; then those of the guides, and the children's steps beside their guides'. Ends with
@@ -57,9 +56,9 @@ std::string frames_table(const FramesReport& report);
 /// {pass, frames: [{frame, pass, failed, orthogonality.{max}, length.{...}, ...,
 /// guides.{orthogonality, length_change, root_cm, root_guide, finite}}],
 /// worst_over_frames: {orthogonality.{max, frame, tolerance}, ..., guides.{...}},
-/// worst_frame, temporal: {amplification, bound, child, from, to, child_cm, guides_cm,
-/// largest_child_cm, largest_guides_cm, steps: [{from, to, amplification, ...}]}};
-/// temporal only where there are steps
+/// worst_frame, temporal: {amplification, share_of_bound, child, from, to, child_cm,
+/// guides_cm, largest_child_cm, largest_guides_cm, steps: [{from, to, amplification,
+/// ...}]}}; temporal only where there are steps
 nlohmann::json frames_json(const FramesReport& report);
 
 }  // namespace lancret

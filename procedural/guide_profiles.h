@@ -51,6 +51,9 @@ struct GuideProfiles {
     const Mat3T<T>& frame(std::size_t g, std::size_t i) const {
         return frames[g * (count + 1) + i];
     }
+    T advance(std::size_t g, std::size_t i) const {
+        return advances[g * (count + 1) + i];
+    }
     /// n0 of a guide at a place, in its root frame.
     auto tangent(std::size_t g, std::size_t i) const { return frame(g, i).col(0); }
 };

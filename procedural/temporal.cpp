@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "procedural/anchor_bound.h"
+
 namespace lancret {
 
 namespace {
@@ -35,6 +37,14 @@ class Seen {
     }
     std::size_t guides() const { return bound_.count; }
     std::size_t places() const { return states_.size(); }
+    /// In what carries the root.
+    BoundChild<double> carried() const {
+        BoundChild<double> out = bound_;
+        for (std::size_t k = 0; k < out.count; ++k)
+            out.to_space[k] = unturn_ * out.to_space[k];
+        return out;
+    }
+    const GuideProfiles<double>& profiles() const { return profiles_; }
     Vec3 place(std::size_t j) const { return unturn_ * states_[j].position; }
     Vec3 guide_place(std::size_t k, std::size_t j) const {
         return scale_ *
@@ -75,6 +85,12 @@ ChildMotion child_motion(const Moment& a, const Moment& b, Blend blend, std::siz
             out.guides = std::max(out.guides, step.norm());
         }
     }
+    if (const auto bound = amplification_bound(blend)) out.bound = *bound * out.guides;
+    if (blend == Blend::detail) {
+        const BoundChild<double> from = before.carried(), to = after.carried();
+        out.bound = anchored_motion_bound(
+            {from.child(), to.child(), before.profiles(), after.profiles()});
+    }
     return out;
 }
 
@@ -94,6 +110,12 @@ TemporalReport temporal_check(const Moment& a, const Moment& b, Blend blend) {
             out.amplification = amplification;
             out.child = std::uint32_t(i);
             out.motion = m;
+        }
+        if (m.bound) {
+            const double share = m.share_of_bound();
+            out.share_of_bound = std::max(
+                out.share_of_bound,
+                std::isnan(share) ? std::numeric_limits<double>::infinity() : share);
         }
         out.largest_child = std::max(out.largest_child, m.child);
         out.largest_guides = std::max(out.largest_guides, m.guides);

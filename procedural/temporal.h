@@ -30,8 +30,14 @@ struct ChildMotion {
     double guides = 0;  ///< the farthest that a place of any of its guides goes, cm, as
                         ///< if that guide stood on the child's root, lengthened or
                         ///< shortened as the child is
+    std::optional<double> bound;  ///< cm, that `child` may not go beyond, from what the
+                                  ///< guides do, where the blend has one
     /// child / guides, guides' motion being at least kLeastMotion.
     double amplification() const { return child / std::max(guides, kLeastMotion); }
+    /// child / bound, the bound being at least kLeastMotion; 0 without one.
+    double share_of_bound() const {
+        return bound ? child / std::max(*bound, kLeastMotion) : 0;
+    }
 };
 
 /// Of child i; `a` and `b` are of one binding. Where the blend works in directions that
@@ -43,6 +49,7 @@ struct TemporalReport {
     double amplification = 0;
     std::uint32_t child = 0;    ///< whose that is, the first such
     ChildMotion motion;         ///< of that child
+    double share_of_bound = 0;  ///< the largest of all children's; above 1 one jumps
     double largest_child = 0;   ///< cm, of all children
     double largest_guides = 0;  ///< cm, of all children's guides
 };

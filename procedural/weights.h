@@ -51,7 +51,8 @@ WeightSource guide_weights(std::span<const double> distances,
 
 /// Leaves weight to `k` guides at most: every weight is lowered by the largest that must
 /// go, so that who goes and who stays changes continuously, and the rest sums to 1 again.
-/// Where nothing would be left the first of the heaviest has all.
+/// Where nothing would be left, k + 1 being equally heavy, the first of the heaviest has
+/// all: there weights jump.
 void keep_heaviest(std::span<float> weights, std::size_t k);
 
 }  // namespace lancret

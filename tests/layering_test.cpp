@@ -87,9 +87,11 @@ const ThirdParty kThirdParties[] = {
 
 /// The figures of an evaluation share nothing with what they measure.
 std::string judge_fault(const Include& include) {
-    constexpr const char* kJudged[] = {"procedural/blend",   "procedural/guide_profiles",
-                                       "procedural/expand",  "procedural/evaluation",
-                                       "procedural/binding", "procedural/leave_out"};
+    constexpr const char* kJudged[] = {
+        "procedural/blend",      "procedural/guide_profiles", "procedural/expand",
+        "procedural/evaluation", "procedural/binding",        "procedural/leave_out",
+        "procedural/spine",      "procedural/anchor",         "procedural/weights",
+        "procedural/candidates", "procedural/temporal"};
     const bool judge = begins(include.file, "procedural/strand_figures.");
     return judge && std::ranges::any_of(
                         kJudged,

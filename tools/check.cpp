@@ -86,8 +86,7 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
             if (before) {
                 add_step(out, before->frame, frame,
                          temporal_check(before->moment(), now.moment(),
-                                        job.groom.expand.blend),
-                         job.groom.expand.blend);
+                                        job.groom.expand.blend));
             }
             before = std::move(now);
         }

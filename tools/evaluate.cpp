@@ -108,6 +108,11 @@ Subject load_subject(const Groom& groom, const std::optional<CurlSettings>& curl
     for (const std::string& warning : warnings) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }
+    if (groom.regions.any()) {
+        fmt::print(stderr,
+                   "lancret: warning: {}: [regions] has no say in an evaluation\n",
+                   groom.name);
+    }
     out.strands = curl ? wrapped_in_curls(loaded.strands, *curl, groom.seed)
                        : std::move(loaded.strands);
     return out;
@@ -169,6 +174,14 @@ int evaluate_groom(const EvaluateOptions& options) {
             report.blends.push_back(evaluate_blend(taken, profiles, blend));
             bar.show(double(report.blends.size()) / double(blends.size()));
         }
+    }
+    if (taken.fit.curvature.w1 > 0.02 || taken.fit.rms.p95 > 0.01) {
+        fmt::print(
+            stderr,
+            "lancret: warning: {}: the guides do not keep the shape of their own "
+            "strands (curvature W1 {:.3f}, RMS over length {:.4f}); the figures say "
+            "as much of that as of the blends\n",
+            job.groom.name, taken.fit.curvature.w1, taken.fit.rms.p95);
     }
     fmt::print("{}", evaluation_table(report, taken));
     std::fflush(stdout);
@@ -239,7 +252,7 @@ void add_evaluate(CLI::App& app, int& exit_code) {
         "Examples:\n"
         "  lancret evaluate groom.hair\n"
         "  lancret evaluate groom.hair --scalp head.obj --guides 400 --blend "
-        "option1,position --json figures.json\n"
+        "detail,position --json figures.json\n"
         "  lancret evaluate groom.hair --curl 0.02,8,0.1 --image strip.png");
     command->callback([options, &exit_code] { exit_code = evaluate_groom(*options); });
 }

@@ -10,7 +10,7 @@ namespace {
 
 /// Strands at equal steps of s / L as cubic Hermite curves.
 Curves curves_of(const StrandSamples& strands, std::span<const Vec3f> tangents,
-                 const std::function<double(std::size_t)>& length, const Taper& taper) {
+                 const Taper& taper) {
     const std::uint32_t steps = std::uint32_t(strands.steps);
     Curves out;
     out.basis = CurveBasis::hermite;
@@ -22,9 +22,13 @@ Curves curves_of(const StrandSamples& strands, std::span<const Vec3f> tangents,
     out.segments = Buffer<std::uint32_t>(strands.size() * steps);
     const float thinner = (taper.tip - taper.root) / float(steps);
     for (std::uint32_t i = 0; i < out.strands; ++i) {
-        const float ds = float(length(i) / steps);
         for (std::uint32_t j = 0; j <= steps; ++j) {
             const std::uint32_t at = i * (steps + 1) + j;
+            // Half the way between its neighbours: the arc of some blends runs unevenly.
+            const std::uint32_t from = j == 0 ? at : at - 1,
+                                to = j == steps ? at : at + 1;
+            const double chord = (strands.points[to] - strands.points[from]).norm();
+            const float ds = float(chord / (to - from));
             const Vec3f p = strands.points[at].cast<float>(), t = ds * tangents[at];
             out.points[at] = {p.x(), p.y(), p.z(), taper.root + thinner * float(j)};
             out.tangents[at] = {t.x(), t.y(), t.z(), thinner};
@@ -75,14 +79,10 @@ Image evaluation_strip(const LeaveOut& taken, const GuideProfiles<float>& profil
     for (int panel = 0; panel < panels; ++panel) {
         Curves curves;
         if (panel == 0) {
-            curves = curves_of(
-                taken.truth, taken.tangents,
-                [&](std::size_t i) { return taken.lengths[i]; }, taper);
+            curves = curves_of(taken.truth, taken.tangents, taper);
         } else {
             const Prediction made = predict(taken, profiles, blends[panel - 1]);
-            curves = curves_of(
-                made.strands, made.tangents,
-                [&](std::size_t i) { return double(taken.binding.lengths[i]); }, taper);
+            curves = curves_of(made.strands, made.tangents, taper);
         }
         const HairScene geometry(curves, view.body ? &*view.body : nullptr);
         scene.geometry = &geometry;

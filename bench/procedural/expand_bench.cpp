@@ -53,6 +53,7 @@ void sizes(benchmark::internal::Benchmark* bench) {
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime();
 }
+BENCHMARK_CAPTURE(expand_made, detail, Blend::detail)->Apply(sizes);
 BENCHMARK_CAPTURE(expand_made, option1, Blend::option1)->Apply(sizes);
 BENCHMARK_CAPTURE(expand_made, position, Blend::position)->Apply(sizes);
 

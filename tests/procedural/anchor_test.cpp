@@ -73,9 +73,8 @@ TEST(Detail, GetsOnAsFastAsTheMeanOfItsGuides) {
          {std::vector{0.501, 0.499}, {0.499, 0.501}}) {
         const Shape detail = shape_of(blend_detail<double>, guides, weights);
         // Of the way from its own cosine to the mean, 0.13, the softening leaves out
-        // 0.01 / (1 - a c), 2 %. A tilted tangent's mean over a turn is not the tilted
-        // mean: for aberration it is the cosine of the same helix, exactly. What is left
-        // is the curl's share in the spine, sin(pitch) / (10 pi), up to 0.025.
+        // 0.05 / (1 - a c), a tenth: 0.013. The curl's own share in the spine,
+        // sin(pitch) / (10 pi), moves the advance by as much again.
         EXPECT_NEAR(detail.chord.norm() / kLength, mean, 0.025);
         EXPECT_GT(std::abs(shape_of(blend_nearest<double>, guides, weights).chord.norm() /
                                kLength -

@@ -269,6 +269,31 @@ TEST(Binding, NoChildsGuidesLieAcrossAParting) {
     EXPECT_EQ(binding.report.no_guide_in_sight, 0u);
 }
 
+TEST(Binding, OutOfReachAChildStillFollowsAGuideThatItSees) {
+    // Five guides a centimetre away across a parting, one in sight at 3 cm, both beyond
+    // the greatest distance.
+    StandingGuides standing = standing_guides(6, 1, 29);
+    for (int g = 0; g < 5; ++g) {
+        standing.guides.root_positions[g] = Vec3(1 + 0.05 * g, 0.1 * g, 0);
+    }
+    standing.guides.root_positions[5] = Vec3(-3, 0, 0);
+    Roots roots = plane_roots(1, 30);
+    roots.positions = {Vec3f::Zero()};
+    const Polyline line{{0.5, -9, 0}, {0.5, 9, 0}};
+    const Partings partings({&line, 1});
+    const BindBorders borders{
+        .guide_regions = {}, .child_regions = {}, .partings = &partings};
+    BindSettings settings;
+    settings.neighbours = 2;
+    settings.max_distance = 0.5;
+    const Binding binding =
+        lancret::bind(roots, standing.guides, standing.normals, settings, borders);
+    EXPECT_EQ(binding.report.no_guide_in_reach, 1u);
+    EXPECT_EQ(binding.report.no_guide_in_sight, 0u);
+    EXPECT_EQ(binding.guides[0], 5u);
+    EXPECT_EQ(binding.weights[0], 1.0f);
+}
+
 TEST(Binding, CountsChildrenThatPartingsShutIn) {
     const StandingGuides standing = standing_guides(10, 1, 27);
     Roots roots = plane_roots(2, 28);

@@ -100,9 +100,16 @@ TEST_P(EveryBlend, HasPlacesAtNumbersWhereGuidesCancel) {
                         Vec3(-1, -1, 1).asDiagonal().toDenseMatrix());
         const auto profiles = guide_profiles<float>(guides, kCount);
         const auto states = states_of<float>({profiles, {0.5f, 0.5f}}, profiles);
-        for (const HelixState<float>& state : states) {
-            EXPECT_TRUE(state.position.allFinite());
-            EXPECT_TRUE(state.frame.allFinite());
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            EXPECT_TRUE(states[i].position.allFinite());
+            const Mat3f& frame = states[i].frame;
+            EXPECT_LT((frame.transpose() * frame - Mat3f::Identity()).norm(), 2e-6f);
+            if (i == 0 || !keeps_length(blend())) continue;
+            const Vec3f chord = states[i].position - states[i - 1].position;
+            const Vec3f step =
+                displacement_between<float>(states[i - 1].frame, frame, 10.0f / kCount);
+            // Places up to 10 cm away round by 6e-7, frames are good to 5e-7.
+            EXPECT_LT((states[i - 1].frame * step - chord).norm(), 4e-6f);
         }
     }
 }

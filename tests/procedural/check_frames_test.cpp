@@ -69,30 +69,32 @@ TEST(CheckFrames, GuidesOffTheScalpFailOnlyWhereThatIsAsked) {
 }
 
 TEST(CheckFrames, AStepBeyondTheBlendsBoundFailsTheRun) {
-    const auto run = [](double amplification, Blend blend) {
+    const auto run = [](double share, std::optional<double> bound) {
         FramesReport report;
         add_frame(report, 3, report_of(0), {});
         add_frame(report, 3.5, report_of(0), {});
         TemporalReport motion;
-        motion.amplification = amplification;
+        motion.amplification = 35;
         motion.child = 1;
-        motion.motion = {amplification, 1};
-        add_step(report, 3, 3.5, motion, blend);
+        motion.motion = {35, 1, bound};
+        motion.share_of_bound = share;
+        add_step(report, 3, 3.5, motion);
         return report;
     };
-    EXPECT_TRUE(run(1, Blend::position).pass());
-    EXPECT_TRUE(run(35, Blend::option1).pass());  // has no bound, and says so
-    const FramesReport beyond = run(1.01, Blend::position);
+    EXPECT_TRUE(run(1, 35).pass());
+    EXPECT_TRUE(run(0, std::nullopt).pass());  // has no bound, and says so
+    const FramesReport beyond = run(1.01, 34.65);
     EXPECT_FALSE(beyond.pass());
     EXPECT_THAT(frames_table(beyond), HasSubstr("FAIL: 1 of 1 steps go beyond the "
                                                 "blend's bound, the first is 3 to 3.5"));
     const nlohmann::json json = frames_json(beyond)["temporal"];
-    EXPECT_EQ(json["amplification"], 1.01);
-    EXPECT_EQ(json["bound"], 1);
+    EXPECT_EQ(json["amplification"], 35);
+    EXPECT_EQ(json["share_of_bound"], 1.01);
     EXPECT_EQ(json["to"], 3.5);
-    EXPECT_TRUE(frames_json(run(35, Blend::option1))["temporal"]["bound"].is_null());
+    const auto free = frames_json(run(0, std::nullopt))["temporal"];
+    EXPECT_TRUE(free["share_of_bound"].is_null());
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_FALSE(run(nan, Blend::position).pass());
+    EXPECT_FALSE(run(nan, 35).pass());
 }
 
 TEST(CheckGuides, FindsWhatIsOffAndByHowMuch) {

@@ -6,76 +6,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <numbers>
-
+#include "tests/procedural/hard_cases.h"
 #include "tests/procedural/made_hair.h"
 
 namespace lancret {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-/// n0 = `tangent`, n1 as near to z as may be.
-Mat3 frame_along(const Vec3& tangent) {
-    const Vec3 n1 = (Vec3::UnitZ() - tangent * tangent.z()).normalized();
-    Mat3 out;
-    out << tangent, n1, tangent.cross(n1);
-    return out;
-}
-
-const Mat3 kForward = frame_along(Vec3::UnitX());
-
-/// A motion of two guides of 10 cm in six segments, from time 0 to 1.
-struct HardCase {
-    const char* name;
-    std::function<void(double time, Guides& guides)> add;
-};
-
-void add_even(Guides& guides, const Vec3& u, const Mat3& frame = kForward) {
-    test::add_guide(guides, std::vector<Vec3>(6, u), 10, frame);
-}
-
-const HardCase kHardCases[] = {
-    {"normals come to oppose",
-     [](double t, Guides& out) {
-         // An arc turns once about its root tangent; the other stands still.
-         const double angle = 2 * kPi * t;
-         add_even(out, {0, -0.2 * std::sin(angle), 0.2 * std::cos(angle)});
-         add_even(out, {0.05, 0, 0.15});
-     }},
-    {"straightens, bends back",
-     [](double t, Guides& out) {
-         add_even(out, {0, 0.01, 0.2 * (1 - 2 * t)});
-         add_even(out, {0.05, 0, 0.1});
-     }},
-    {"straightens exactly",
-     [](double t, Guides& out) {
-         add_even(out, {0, 0, 0.2 * (1 - 2 * t)});
-         add_even(out, {0, 0, 0.1});
-     }},
-    {"curl reverses",
-     [](double t, Guides& out) {
-         add_even(out, {1.2 * (1 - 2 * t), 0, 0.8});
-         add_even(out, {1.0, 0, 0.7});
-     }},
-    {"swings through opposite",
-     [](double t, Guides& out) {
-         const double angle = kPi * (0.75 + 0.5 * t);
-         add_even(out, {0, 0, 0.05}, frame_along({std::cos(angle), std::sin(angle), 0}));
-         add_even(out, {0, 0.05, 0.05});
-     }},
-    {"joints appear",
-     [](double t, Guides& out) {
-         std::vector<Vec3> u;
-         for (int q = 0; q < 6; ++q) {
-             const double sign = q % 2 ? 1 : -1;
-             u.push_back(Vec3(0.2, 0, 0.3) + t * sign * Vec3(0.1, 0.3, -0.1));
-         }
-         test::add_guide(out, u, 10, kForward);
-         add_even(out, {0.2, 0.1, 0.3});
-     }},
-};
+using test::add_even;
+using test::frame_along;
+using test::HardCase;
+using test::kForward;
+using test::kHardCases;
 
 /// One child between two guides, by hand.
 Binding one_child(std::vector<float> weights = {0.55f, 0.45f}) {
@@ -119,7 +60,8 @@ Steps steps_of(const HardCase& hard, Blend blend, int steps) {
 }
 
 /// Blends that must not pop: halving the time step halves the child's largest step.
-constexpr Blend kNeverPop[] = {Blend::detail, Blend::position};
+constexpr Blend kNeverPop[] = {Blend::detail, Blend::option2, Blend::option3,
+                               Blend::nearest, Blend::position};
 
 TEST(Temporal, NothingPopsAsGuidesPassThroughTheHardCases) {
     constexpr int kSteps = 200;

@@ -143,7 +143,8 @@ TEST(Frames, ExpandGrowsTheFrameOnTheRootsOfTheRest) {
     const Bent f;
     const auto strands = [&](const std::string& input, const std::string& frame) {
         const std::string hair = f.at("out.hair");
-        std::vector<std::string> words{"expand", input, "-o", hair};
+        // Left alone, a cache is measured at all of its frames, the rest pose at itself.
+        std::vector<std::string> words{"expand", input, "-o", hair, "--intervals", "48"};
         if (!frame.empty()) words.insert(words.end(), {"--frame", frame});
         EXPECT_THAT(lancret(words), works());
         return read_hair(hair);
@@ -239,7 +240,7 @@ TEST(Frames, CheckTellsHowFarChildrenMoveBesideTheirGuides) {
                  "9", "--emitted-length", "1", "--length", "1"});
     const auto temporal = json_of(json)["temporal"];
     ASSERT_EQ(temporal["steps"].size(), 2u);
-    EXPECT_EQ(temporal["bound"], 1);
+    EXPECT_LE(temporal["share_of_bound"], 1 + 1e-6);
     EXPECT_LE(temporal["amplification"], 1 + 1e-6);
     EXPECT_GT(temporal["amplification"], 0.5);
     EXPECT_THAT(run.out, HasSubstr("child's step over its guides'"));
