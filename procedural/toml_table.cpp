@@ -201,12 +201,13 @@ std::optional<std::filesystem::path> TomlTable::path(std::string_view key) const
 
 namespace {
 
-/// The numbers of an array, nothing where `value` is not one of `size` finite numbers.
-std::optional<std::array<double, 3>> numbers_of(const toml::node& value,
+/// The numbers of an array, nothing where `value` is not one of `size` <= 4 finite
+/// numbers.
+std::optional<std::array<double, 4>> numbers_of(const toml::node& value,
                                                 std::size_t size) {
     const toml::array* array = value.as_array();
     if (!array || array->size() != size) return std::nullopt;
-    std::array<double, 3> out{};
+    std::array<double, 4> out{};
     for (std::size_t i = 0; i < size; ++i) {
         const auto number = (*array)[i].value<double>();
         if (!(*array)[i].is_number() || !number || !std::isfinite(*number)) {
@@ -236,6 +237,20 @@ std::optional<Vec2> TomlTable::pair(std::string_view key) const {
     const auto numbers = numbers_of(*value, 2);
     if (!numbers) fail(key, fmt::format("'{}' must be [a, b], two numbers", key));
     return Vec2((*numbers)[0], (*numbers)[1]);
+}
+
+std::optional<Eigen::Matrix4d> TomlTable::matrix(std::string_view key) const {
+    const toml::node* value = node_->ask(key);
+    if (!value) return std::nullopt;
+    const toml::array* rows = value->as_array();
+    Eigen::Matrix4d out;
+    for (int r = 0; r < 4; ++r) {
+        const auto row =
+            rows && rows->size() == 4 ? numbers_of((*rows)[r], 4) : std::nullopt;
+        if (!row) fail(key, fmt::format("'{}' must be four rows of four numbers", key));
+        for (int c = 0; c < 4; ++c) out(r, c) = (*row)[c];
+    }
+    return out;
 }
 
 std::optional<std::vector<Vec3>> TomlTable::vectors(std::string_view key,

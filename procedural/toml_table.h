@@ -44,6 +44,8 @@ class TomlTable {
     std::optional<Vec3> vector(std::string_view key) const;
     /// Two numbers.
     std::optional<Vec2> pair(std::string_view key) const;
+    /// Four rows of four numbers.
+    std::optional<Eigen::Matrix4d> matrix(std::string_view key) const;
     /// The list of [x, y, z] under `key`, of `fewest` or more.
     std::optional<std::vector<Vec3>> vectors(std::string_view key,
                                              std::size_t fewest) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -15,7 +16,10 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "render_test/sampler.h"
+#include "render_test/scene_checks.h"
 #include "render_test/strand_axis.h"
+#include "render_test/thin_strands.h"
 
 namespace lancret {
 namespace {
@@ -44,6 +48,7 @@ RTCRay embree_ray(const Ray& ray) {
     r.tnear = ray.near, r.tfar = ray.far;
     r.time = ray.time;
     r.mask = ~0u;
+    r.id = ray.by_chance;
     return r;
 }
 
@@ -62,53 +67,6 @@ Vec3f unit_across(const Vec3f& v, const Vec3f& axis) {
     const Vec3f across = v - axis * axis.dot(v);
     const float length = across.norm();
     return length > 1e-6f ? Vec3f(across / length) : Vec3f(axis.unitOrthogonal());
-}
-
-void check_indices(const Curves& curves, const TriangleMesh* mesh) {
-    const bool hermite = curves.basis == CurveBasis::hermite;
-    const std::size_t reach = hermite ? 2 : 4;
-    if (hermite && curves.tangents.size() != curves.points.size())
-        throw std::invalid_argument("Hermite strands need one tangent a point");
-    if (curves.segments.size() !=
-        std::size_t(curves.strands) * curves.segments_per_strand)
-        throw std::invalid_argument("strands times segments a strand is not the count");
-    std::size_t segment = 0;
-    for (std::size_t i = 0; i < curves.strands; ++i)
-        for (std::size_t j = 0; j < curves.segments_per_strand; ++j) {
-            const std::size_t first = curves.segments[segment++];
-            if (first + reach > curves.points.size())
-                throw std::invalid_argument(
-                    "a strand segment points past the control points");
-            if (first != i * curves.points_per_strand + j)
-                throw std::invalid_argument(
-                    "a strand's segments follow each other, as its points do");
-        }
-    if (!mesh) return;
-    if (!mesh->uvs.empty() && mesh->uvs.size() != mesh->triangles.size())
-        throw std::invalid_argument("a mesh needs UVs for every triangle or for none");
-    for (const auto& corners : mesh->uvs)
-        for (const Vec2f& uv : corners)
-            if (!uv.allFinite()) throw std::invalid_argument("a mesh's UV is not finite");
-    for (const auto& triangle : mesh->triangles)
-        for (const std::uint32_t corner : triangle)
-            if (corner >= mesh->positions.size())
-                throw std::invalid_argument("a triangle points past the vertices");
-}
-
-/// What a time has in common with the first.
-void check_alike(const SceneTime& first, const SceneTime& other) {
-    if (!other.curves || !other.mesh != !first.mesh)
-        throw std::invalid_argument(
-            "a scene has strands at all times, a mesh at all or none");
-    const Curves &a = *first.curves, &b = *other.curves;
-    if (a.basis != b.basis || a.shape != b.shape || a.strands != b.strands ||
-        a.points_per_strand != b.points_per_strand ||
-        a.points.size() != b.points.size() || a.tangents.size() != b.tangents.size() ||
-        !std::ranges::equal(a.segments.span(), b.segments.span()))
-        throw std::invalid_argument("a scene's strands are the same at all times");
-    if (first.mesh && (first.mesh->triangles != other.mesh->triangles ||
-                       first.mesh->positions.size() != other.mesh->positions.size()))
-        throw std::invalid_argument("a scene's mesh has the same triangles at all times");
 }
 
 /// Between which times a ray is, and how far.
@@ -132,6 +90,7 @@ struct HairScene::Impl {
     std::vector<std::vector<Vec3f>> vertices;  ///< [times after the first]
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
+    std::span<const float> true_radii;
     unsigned strands_id = RTC_INVALID_GEOMETRY_ID;
     std::atomic<std::ptrdiff_t> bytes = 0;
     double build_seconds = 0;
@@ -179,6 +138,11 @@ struct HairScene::Impl {
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
                                    first.segments.data(), 0, sizeof(std::uint32_t),
                                    first.segments.size());
+        if (!true_radii.empty()) {
+            rtcSetGeometryUserData(g, this);
+            rtcSetGeometryIntersectFilterFunction(g, pass_by_chance);
+            rtcSetGeometryOccludedFilterFunction(g, pass_by_chance);
+        }
         if (first.shape == CurveShape::flat)
             rtcSetGeometryTessellationRate(g, float(tessellation));
         strands_id = attach(g, "adding strands");
@@ -208,6 +172,36 @@ struct HairScene::Impl {
         attach(g, "adding a mesh");
     }
 
+    /// The share of what is drawn there that a strand truly covers.
+    float opacity(std::uint32_t segment, float u, float drawn) const {
+        const float true_radius = radius_at(*curves[0], true_radii, segment, u);
+        return drawn > 0 ? std::clamp(true_radius / drawn, 0.0f, 1.0f) : 1.0f;
+    }
+
+    /// Embree's question whether a hit counts. The chance is the ray's and the segment's,
+    /// so that a segment which Embree meets twice gives one answer.
+    static void pass_by_chance(const RTCFilterFunctionNArguments* args) {
+        if (args->N != 1 || !args->valid[0] || RTCRayN_id(args->ray, 1, 0) == 0) return;
+        const Impl& scene = *static_cast<const Impl*>(args->geometryUserPtr);
+        const std::uint32_t segment = RTCHitN_primID(args->hit, 1, 0);
+        const float u = RTCHitN_u(args->hit, 1, 0);
+        const float time = RTCRayN_time(args->ray, 1, 0);
+        const float opacity =
+            scene.opacity(segment, u, scene.axis_of(segment, u, time).value.w());
+        const auto bits = [](float x, float y) {
+            return std::uint64_t(std::bit_cast<std::uint32_t>(x)) << 32 |
+                   std::bit_cast<std::uint32_t>(y);
+        };
+        const std::uint64_t from =
+            mix(bits(RTCRayN_org_x(args->ray, 1, 0), RTCRayN_org_y(args->ray, 1, 0)),
+                bits(RTCRayN_org_z(args->ray, 1, 0), time));
+        const std::uint64_t to =
+            mix(bits(RTCRayN_dir_x(args->ray, 1, 0), RTCRayN_dir_y(args->ray, 1, 0)),
+                bits(RTCRayN_dir_z(args->ray, 1, 0), 0));
+        if (unit_float(std::uint32_t(mix(mix(from, to), segment) >> 32)) >= opacity)
+            args->valid[0] = 0;
+    }
+
     AxisPoint axis_of(std::uint32_t segment, float u, float time) const {
         if (times() == 1) return axis_point(*curves[0], segment, u);
         const auto [from, share] = time_segment(time, times());
@@ -225,6 +219,10 @@ struct HairScene::Impl {
         hit.strand = curves[0]->strand_of(from.primID);
         const AxisPoint axis = axis_of(from.primID, from.u, ray.time);
         hit.radius = axis.value.w();
+        hit.along = (float(from.primID % curves[0]->segments_per_strand) + from.u) /
+                    float(curves[0]->segments_per_strand);
+        if (!true_radii.empty() && !ray.by_chance)
+            hit.opacity = opacity(from.primID, from.u, hit.radius);
         const Vec3f along = axis.derivative.head<3>();
         const float speed = along.norm();
         hit.tangent =
@@ -268,6 +266,10 @@ HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& o
     for (const SceneTime& time : times.subspan(1)) check_alike(times[0], time);
     if (options.tessellation < 1 || options.tessellation > 16)
         throw std::invalid_argument("tessellation must be 1 to 16");
+    if (!options.true_radii.empty() &&
+        options.true_radii.size() != times[0].curves->points.size())
+        throw std::invalid_argument("true radii are one for each control point");
+    impl_->true_radii = options.true_radii;
     const auto start = std::chrono::steady_clock::now();
     for (const SceneTime& time : times) impl_->curves.push_back(time.curves);
     impl_->device = rtcNewDevice(nullptr);
@@ -322,6 +324,8 @@ bool HairScene::occluded(const Ray& ray) const {
     any_hit(impl_->scene, &query);
     return query.tfar < 0;
 }
+
+bool HairScene::has_thin_strands() const { return !impl_->true_radii.empty(); }
 
 bool HairScene::moves() const { return impl_->times() > 1; }
 

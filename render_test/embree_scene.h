@@ -19,6 +19,9 @@ struct Ray {
     float near = 0;                    ///< cm along the ray: hits before it do not count
     float far = std::numeric_limits<float>::infinity();  ///< cm
     float time = 0;  ///< 0..1, first to last time of a moving scene
+    /// Whether a strand that is drawn wider than it is lets the ray by, by a chance that
+    /// is a hash of ray and segment; else every one is a hit, with its opacity.
+    bool by_chance = true;
 };
 
 /// Where a ray first meets something.
@@ -43,6 +46,9 @@ struct Hit {
                                     ///< tangent, cm
     float radius = 0;               ///< strands: cm
     float h = 0;               ///< strands: offset . (facing x tangent) / radius, -1..1
+    float along = 0;           ///< strands: 0 at the root to 1 at the tip
+    float opacity = 1;         ///< strands: true radius / drawn radius, where the ray is
+                               ///< not by chance
     Vec2f uv = Vec2f::Zero();  ///< a mesh with UVs
 };
 
@@ -50,6 +56,9 @@ struct HairSceneOptions {
     /// Pieces that a flat segment is cut into, 1..16. One is fastest and shows corners in
     /// a close-up of curls.
     int tessellation = 4;
+    /// [points of a time's curves], cm: strands drawn wider than they are let rays by
+    /// (thin_strands.h). Empty: they are as drawn. Must outlive the scene.
+    std::span<const float> true_radii = {};
 };
 
 /// What there is at one time.
@@ -82,6 +91,8 @@ class HairScene {
     std::optional<Hit> intersect(const Ray& ray) const;
     bool occluded(const Ray& ray) const;
 
+    /// Whether strands may be drawn wider than they are.
+    bool has_thin_strands() const;
     /// Whether there is more than one time.
     bool moves() const;
     /// Box around everything at all times, cm; empty if there is nothing.

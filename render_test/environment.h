@@ -2,6 +2,7 @@
 // Light from infinitely far, all around.
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "guides/types.h"
@@ -20,7 +21,8 @@ struct ColourMap {
 struct LightSample {
     Vec3f direction = Vec3f::UnitY();  ///< unit, towards the light
     Vec3f radiance = Vec3f::Zero();
-    float pdf = 0;  ///< 1/sr
+    float pdf = 0;                                            ///< 1/sr
+    float distance = std::numeric_limits<float>::infinity();  ///< cm, along `direction`
 };
 
 /// A latitude-longitude map about an up axis, its top row at the zenith. Radiance is

@@ -72,6 +72,9 @@ float sampled_azimuth(float random, const HairModel& model) {
     return std::clamp(model.s * std::log(p / (1 - p)), -kPi, kPi);
 }
 
+/// The part of a unit direction across the strand: the cosine of its inclination.
+float length_across(const Vec3f& w) { return std::sqrt(square(w.y()) + square(w.z())); }
+
 /// Angles less the whole turns nearest to them.
 Array4f wrapped(const Array4f& angle) {
     return angle - 2 * kPi * (angle / (2 * kPi) + 0.5f).floor();
@@ -113,7 +116,8 @@ HairModel::HairModel(const HairMaterial& material)
     s_tail = 1 / (1 + std::exp(kPi / s));
 }
 
-HairBsdf::HairBsdf(const HairModel& model, const Vec3f& wo, float h) : model_(&model) {
+HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo, float h)
+    : model_(&model) {
     const float sine_o = std::clamp(wo.x(), -1.0f, 1.0f);
     const float cosine_o = std::sqrt(1 - square(sine_o));
     const float gamma_o = std::asin(h);
@@ -132,7 +136,7 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& wo, float h) : model_(&m
         fresnel_dielectric(cosine_o * std::sqrt(std::max(0.0f, 1 - h * h)), model.eta);
     const float enters = std::max(0.0f, 1 - f);
     Array4f depth = Array4f::Zero();
-    depth.head<3>() = model.sigma_a.array() * length;
+    depth.head<3>() = sigma_a.array() * length;
     const Array4f transmitted = (-depth).exp();
     // 1 - exp(-d), its series to 4e-8 where the difference has lost digits.
     const Array4f lost =
@@ -156,15 +160,23 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& wo, float h) : model_(&m
     phi_ = kPi / 2 - 2 * gamma_o + order * (2 * gamma_t + kPi);
 }
 
+Array4f HairBsdf::densities(float sine_i, float cosine_i, float phi_i) const {
+    return longitudinal(sine_i, cosine_i, sine_, cosine_, *model_) *
+           azimuthal(wrapped(phi_i - phi_), *model_);
+}
+
+float HairBsdf::lobe_density(int lobe, const Vec3f& wi) const {
+    return densities(std::clamp(wi.x(), -1.0f, 1.0f), length_across(wi),
+                     std::atan2(wi.z(), wi.y()))[lobe];
+}
+
 BsdfValue HairBsdf::evaluate(const Vec3f& wi) const {
-    return evaluate(std::clamp(wi.x(), -1.0f, 1.0f),
-                    std::sqrt(square(wi.y()) + square(wi.z())),
+    return evaluate(std::clamp(wi.x(), -1.0f, 1.0f), length_across(wi),
                     std::atan2(wi.z(), wi.y()));
 }
 
 BsdfValue HairBsdf::evaluate(float sine_i, float cosine_i, float phi_i) const {
-    const Array4f density = longitudinal(sine_i, cosine_i, sine_, cosine_, *model_) *
-                            azimuthal(wrapped(phi_i - phi_), *model_);
+    const Array4f density = densities(sine_i, cosine_i, phi_i);
     BsdfValue at;
     for (int p = 0; p < kHairLobes; ++p) at.value += density[p] * attenuation_[p];
     at.pdf = (density * probability_).sum();

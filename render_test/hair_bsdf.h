@@ -50,14 +50,24 @@ struct HairModel {
 class HairBsdf {
   public:
     /// `wo` is unit, in local axes (y = 0); h in [-1, 1].
-    HairBsdf(const HairModel& model, const Vec3f& wo, float h);
+    HairBsdf(const HairModel& model, const Vec3f& wo, float h)
+        : HairBsdf(model, model.sigma_a, wo, h) {}
+    /// With an absorption of this hit's own (per radius) in place of the model's.
+    HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo, float h);
 
     BsdfValue evaluate(const Vec3f& wi) const;
+    /// M N of one lobe: its density, which integrates to one over the sphere.
+    float lobe_density(int lobe, const Vec3f& wi) const;
+    /// Its A, and the share of samples that it gets.
+    const Vec3f& lobe_attenuation(int lobe) const { return attenuation_[lobe]; }
+    float lobe_probability(int lobe) const { return probability_[lobe]; }
     /// `pick` chooses the lobe; all in [0, 1). Nothing where the density underflows.
     std::optional<BsdfSample> sample(float pick, float azimuth,
                                      const Vec2f& longitude) const;
 
   private:
+    /// M N of each lobe.
+    Eigen::Array4f densities(float sine_i, float cosine_i, float phi_i) const;
     BsdfValue evaluate(float sine_i, float cosine_i, float phi_i) const;
 
     const HairModel* model_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_test/glossy.h"
+#include "render_test/groom_shading.h"
 #include "render_test/sampling.h"
 
 namespace lancret {
@@ -12,82 +14,187 @@ namespace {
 /// bounce.
 constexpr std::uint32_t kCameraPairs = 2, kBouncePairs = 4;
 
+/// Far from all others: the choice among thin strands.
+constexpr std::uint32_t kThinPair = 0x20000;
+
 /// A path on its way: what it has gathered, and what it still lets through.
 struct Path {
-    const RenderScene& scene;
-    std::vector<TracedRay>* record;
+    RayCounter counter;
     Ray ray;
     Vec3f radiance = Vec3f::Zero();
     Vec3f throughput = Vec3f::Ones();
     float pdf = 0;  ///< of the ray's direction, 1/sr
-    std::uint32_t rays = 0;
 
-    std::optional<Hit> intersect() {
-        ++rays;
-        if (record) record->push_back({ray, false});
-        return scene.geometry->intersect(ray);
-    }
-    bool occluded(const Ray& shadow) {
-        ++rays;
-        if (record) record->push_back({shadow, true});
-        return scene.geometry->occluded(shadow);
-    }
+    std::optional<Hit> intersect() { return counter.intersect(ray); }
+    bool occluded(const Ray& shadow) { return counter.occluded(shadow); }
 };
+
+/// Weight of a light found by sampling lights, and of one found by scattering, each with
+/// the density of either way.
+float light_weight(LightSampling sampling, float light_pdf, float bsdf_pdf) {
+    if (sampling == LightSampling::both) return mis_weight(light_pdf, bsdf_pdf);
+    return sampling == LightSampling::lights ? 1.0f : 0.0f;
+}
+float scattering_weight(LightSampling sampling, float bsdf_pdf, float light_pdf) {
+    if (sampling == LightSampling::both) return mis_weight(bsdf_pdf, light_pdf);
+    return sampling == LightSampling::scattering ? 1.0f : 0.0f;
+}
 
 /// One scattering at `hit`: adds light that arrives directly and turns the ray. False
 /// where the path ends.
 template <class Bsdf>
-bool scatter(const RenderScene& scene, const Hit& hit, const Bsdf& bsdf,
-             const Mat3f& frame, Sampler& sampler, Path& path) {
-    const auto start = [&](const Vec3f& direction) {
-        Ray ray;
-        ray.direction = direction;
-        ray.time = path.ray.time;
-        const float rounding = 1e-5f * (1 + hit.position.cwiseAbs().maxCoeff());
-        if (hit.kind == Hit::Kind::strand) {
-            ray.origin = hit.position;
-            ray.near = strand_clearance(hit, direction) + 0.1f * rounding;
-        } else {
-            ray.origin = hit.position + rounding * frame.col(2);
-        }
-        return ray;
-    };
+bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& hit,
+             const Bsdf& bsdf, const Mat3f& frame, Sampler& sampler, Path& path) {
     const Vec2f light_random = sampler.next(), picks = sampler.next();
     const Vec2f longitude = sampler.next(), azimuth = sampler.next();
 
-    const LightSample light = scene.lights.sample(picks.x(), light_random);
-    if (light.pdf > 0) {
-        const BsdfValue at = bsdf.evaluate(frame.transpose() * light.direction);
+    if (settings.sampling != LightSampling::scattering) {
+        const LightSample light =
+            scene.lights.sample(hit.position, picks.x(), light_random);
+        const BsdfValue at = light.pdf > 0
+                                 ? bsdf.evaluate(frame.transpose() * light.direction)
+                                 : BsdfValue{};
         const Vec3f arrives = at.value.cwiseProduct(light.radiance);
-        if (arrives.maxCoeff() > 0 && !path.occluded(start(light.direction)))
-            path.radiance += path.throughput.cwiseProduct(arrives) *
-                             (mis_weight(light.pdf, at.pdf) / light.pdf);
+        if (arrives.maxCoeff() > 0) {
+            Ray shadow = ray_from(hit, frame.col(2), light.direction, path.ray.time);
+            shadow.far = light.distance * (1 - 1e-5f);
+            if (!path.occluded(shadow))
+                path.radiance +=
+                    path.throughput.cwiseProduct(arrives) *
+                    (light_weight(settings.sampling, light.pdf, at.pdf) / light.pdf);
+        }
     }
     const std::optional<BsdfSample> sample =
         bsdf.sample(picks.y(), azimuth.x(), longitude);
     if (!sample) return false;
     path.throughput = path.throughput.cwiseProduct(sample->at.value) / sample->at.pdf;
     path.pdf = sample->at.pdf;
-    path.ray = start((frame * sample->direction).normalized());
+    path.ray = ray_from(hit, frame.col(2), (frame * sample->direction).normalized(),
+                        path.ray.time);
     return path.throughput.maxCoeff() > 0;
 }
 
-bool scatter(const RenderScene& scene, const Hit& hit, int depth, Sampler& sampler,
-             Path& path) {
+bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& hit,
+             int depth, Sampler& sampler, Path& path) {
     const Vec3f wo = -path.ray.direction;
     Mat3f frame;
     if (hit.kind == Hit::Kind::strand) {
         frame << hit.tangent, hit.facing.cross(hit.tangent), hit.facing;
-        const HairModel& hair =
+        const HairLook& hair =
             depth > 0 && scene.later_hair ? *scene.later_hair : scene.hair;
-        const HairBsdf bsdf(hair, frame.transpose() * wo, hit.h);
-        return scatter(scene, hit, bsdf, frame, sampler, path);
+        const HairBsdf bsdf(hair.model(hit.strand), hair.sigma_a(hit.strand, hit.along),
+                            frame.transpose() * wo, hit.h);
+        return scatter(scene, settings, hit, bsdf, frame, sampler, path);
     }
     frame = frame_about(hit.normal.dot(wo) > 0 ? hit.normal : Vec3f(-hit.normal));
-    return scatter(scene, hit, Lambert(scene.mesh, hit), frame, sampler, path);
+    if (scene.mesh.coat_roughness)
+        return scatter(scene, settings, hit,
+                       Glossy(scene.mesh, hit, frame.transpose() * wo), frame, sampler,
+                       path);
+    return scatter(scene, settings, hit, Lambert(scene.mesh, hit), frame, sampler, path);
+}
+
+/// What the camera sees: through strands that are thinner than they are drawn, on to the
+/// first that is not or until no more than kLeastLeft of the light is left. Of all that
+/// it sees, `hit` is one, chosen by its share; `coverage` is the sum of the shares, and
+/// so has no noise.
+struct Seen {
+    std::optional<Hit> hit;
+    float coverage = 0;
+};
+constexpr float kLeastLeft = 1e-3f;
+
+Seen first_seen(RayCounter& counter, Ray ray, Sampler& sampler) {
+    Seen seen;
+    if (!counter.geometry.has_thin_strands()) {
+        seen.hit = counter.intersect(ray);
+        seen.coverage = seen.hit ? 1 : 0;
+        return seen;
+    }
+    sampler.skip_to(kThinPair);
+    float random = sampler.next().x(), left = 1;
+    ray.by_chance = false;
+    std::optional<Hit> last;
+    while (const std::optional<Hit> hit = counter.intersect(ray)) {
+        ray.near = hit->distance +
+                   1e-6f * (1 + hit->position.cwiseAbs().maxCoeff() + hit->distance);
+        // A segment's neighbour at their joint, or a tube's far side, is the same strand.
+        if (last && hit->kind == Hit::Kind::strand && hit->strand == last->strand &&
+            hit->distance - last->distance < strand_clearance(*last, ray.direction))
+            continue;
+        last = hit;
+        float share = left * hit->opacity;
+        if (left - share < kLeastLeft) share = left;
+        if (share > 0) {
+            seen.coverage += share;
+            const float chance = share / seen.coverage;
+            if (!seen.hit || random < chance) {
+                seen.hit = hit;
+                random = std::min(random / chance, 1.0f);
+            } else {
+                random = (random - chance) / (1 - chance);
+            }
+        }
+        left -= share;
+        if (!(left > 0)) break;
+    }
+    return seen;
+}
+
+/// The path from what the camera sees until it ends.
+void follow(const RenderScene& scene, const PathSettings& settings, Hit hit,
+            Sampler& sampler, Path& path) {
+    for (int depth = 0; depth < settings.max_depth; ++depth) {
+        sampler.skip_to(kCameraPairs + kBouncePairs * std::uint32_t(depth));
+        if (depth >= settings.roulette_depth) {
+            const float survival = std::min(path.throughput.maxCoeff(), 0.98f);
+            // The last pair of this bounce has a number to spare, but reading it here
+            // would order the pairs otherwise: roulette has pairs of its own, far away.
+            sampler.skip_to(0x10000u + std::uint32_t(depth));
+            if (sampler.next().x() >= survival) return;
+            path.throughput /= survival;
+            sampler.skip_to(kCameraPairs + kBouncePairs * std::uint32_t(depth));
+        }
+        if (!scatter(scene, settings, hit, depth, sampler, path)) return;
+        const std::optional<Hit> next = path.intersect();
+        if (settings.sampling != LightSampling::lights)
+            path.radiance += path.throughput.cwiseProduct(scene.lights.along(
+                path.ray.origin, path.ray.direction, next ? next->distance : path.ray.far,
+                [&](float pdf) {
+                    return scattering_weight(settings.sampling, path.pdf, pdf);
+                }));
+        if (!next) return;
+        hit = *next;
+    }
 }
 
 }  // namespace
+
+std::optional<Hit> RayCounter::intersect(const Ray& ray) {
+    ++rays;
+    if (record) record->push_back({ray, false});
+    return geometry.intersect(ray);
+}
+
+bool RayCounter::occluded(const Ray& shadow) {
+    ++rays;
+    if (record) record->push_back({shadow, true});
+    return geometry.occluded(shadow);
+}
+
+Ray ray_from(const Hit& hit, const Vec3f& side, const Vec3f& direction, float time) {
+    Ray ray;
+    ray.direction = direction;
+    ray.time = time;
+    const float rounding = 1e-5f * (1 + hit.position.cwiseAbs().maxCoeff());
+    if (hit.kind == Hit::Kind::strand) {
+        ray.origin = hit.position;
+        ray.near = strand_clearance(hit, direction) + 0.1f * rounding;
+    } else {
+        ray.origin = hit.position + rounding * side;
+    }
+    return ray;
+}
 
 float strand_clearance(const Hit& hit, const Vec3f& direction) {
     const Vec3f across = direction - hit.tangent * hit.tangent.dot(direction);
@@ -102,37 +209,24 @@ float strand_clearance(const Hit& hit, const Vec3f& direction) {
 
 PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ray ray,
                       Sampler& sampler) {
+    Path path{.counter = {*scene.geometry, settings.record}, .ray = ray};
+    const Seen seen = first_seen(path.counter, ray, sampler);
     PathResult result;
-    Path path{.scene = scene, .record = settings.record, .ray = ray};
-    for (int depth = 0;; ++depth) {
-        const std::optional<Hit> hit = path.intersect();
-        if (depth == 0) result.first = hit;
-        if (!hit && depth == 0) {
-            if (settings.show_environment)
-                path.radiance = scene.lights.environment().radiance(path.ray.direction);
-            break;
-        }
-        if (!hit) {
-            const LightSample light = scene.lights.along(path.ray.direction);
-            path.radiance += path.throughput.cwiseProduct(light.radiance) *
-                             mis_weight(path.pdf, light.pdf);
-            break;
-        }
-        if (depth == settings.max_depth) break;
-        sampler.skip_to(kCameraPairs + kBouncePairs * std::uint32_t(depth));
-        if (depth >= settings.roulette_depth) {
-            const float survival = std::min(path.throughput.maxCoeff(), 0.98f);
-            // The last pair of this bounce has a number to spare, but reading it here
-            // would order the pairs otherwise: roulette has pairs of its own, far away.
-            sampler.skip_to(0x10000u + std::uint32_t(depth));
-            if (sampler.next().x() >= survival) break;
-            path.throughput /= survival;
-            sampler.skip_to(kCameraPairs + kBouncePairs * std::uint32_t(depth));
-        }
-        if (!scatter(scene, *hit, depth, sampler, path)) break;
+    result.first = seen.hit;
+    result.coverage = seen.coverage;
+    path.throughput *= seen.coverage;
+    if (settings.show_environment && seen.coverage < 1)
+        path.radiance =
+            (1 - seen.coverage) * scene.lights.environment().radiance(ray.direction);
+    if (seen.hit && settings.groom_shading) {
+        sampler.skip_to(kCameraPairs);
+        path.radiance +=
+            seen.coverage * groom_radiance(scene, ray, *seen.hit, sampler, path.counter);
+    } else if (seen.hit) {
+        follow(scene, settings, *seen.hit, sampler, path);
     }
     result.radiance = path.radiance;
-    result.rays = path.rays;
+    result.rays = path.counter.rays;
     return result;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render_test/embree_scene.h"
-#include "render_test/hair_bsdf.h"
+#include "render_test/hair_look.h"
 #include "render_test/lambert.h"
 #include "render_test/lights.h"
 #include "render_test/sampler.h"
@@ -17,11 +17,11 @@ namespace lancret {
 /// What light meets. The geometry must outlive it.
 struct RenderScene {
     const HairScene* geometry = nullptr;
-    HairModel hair{HairMaterial{}};
-    /// Of every scattering after a path's first. Path regularisation: `widened` hair
-    /// there leaves less noise and is a little brighter (docs/render_speed.md). None: as
+    HairLook hair{HairMaterial{}};
+    /// Of every scattering after a path's first. Path regularisation: wider hair there
+    /// leaves less noise and is a little brighter (docs/render_speed.md). None: as
     /// `hair`.
-    std::optional<HairModel> later_hair;
+    std::optional<HairLook> later_hair;
     MeshMaterial mesh;
     Lights lights;
 };
@@ -32,22 +32,46 @@ struct TracedRay {
     bool shadow;  ///< whether anything is met, and not what
 };
 
+/// Asks rays of a scene and counts them.
+struct RayCounter {
+    const HairScene& geometry;
+    std::vector<TracedRay>* record = nullptr;  ///< gets every ray, where given
+    std::uint32_t rays = 0;                    ///< asked so far
+
+    std::optional<Hit> intersect(const Ray& ray);
+    bool occluded(const Ray& shadow);
+};
+
+/// Where light is looked for. Each gives the same picture at last: two of them alone are
+/// there to prove it.
+enum class LightSampling {
+    both,        ///< combined by multiple importance sampling
+    lights,      ///< towards lights alone
+    scattering,  ///< where the material scatters alone
+};
+
 struct PathSettings {
     int max_depth = 64;             ///< scatterings along a path; pale hair needs many
     int roulette_depth = 2;         ///< from here on, a path ends by chance
     bool show_environment = false;  ///< to the camera; then alpha is one everywhere
     std::vector<TracedRay>* record = nullptr;  ///< gets every ray; for one thread alone
+    LightSampling sampling = LightSampling::both;
+    bool groom_shading = false;  ///< in place of paths (groom_shading.h)
 };
 
 struct PathResult {
     Vec3f radiance = Vec3f::Zero();
-    std::optional<Hit> first;  ///< what the camera sees
+    std::optional<Hit> first;  ///< what the camera sees; one of what it sees through
+    float coverage = 0;        ///< 0..1, less than one through thin strands
     std::uint32_t rays = 0;    ///< traced, shadow rays too
 };
 
 /// Follows one path. Nothing is clamped: a sample may be far brighter than its pixel.
 PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ray ray,
                       Sampler& sampler);
+
+/// A ray from a hit; `side` is the unit normal of a mesh on the side that it leaves to.
+Ray ray_from(const Hit& hit, const Vec3f& side, const Vec3f& direction, float time);
 
 /// How far from a strand's hit a ray in `direction` starts to count, cm. Scattering has
 /// already carried it through: a ribbon stands for a cylinder, and would otherwise be met

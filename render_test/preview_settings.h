@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "procedural/toml_table.h"
-#include "render_test/camera.h"
+#include "render_test/camera_settings.h"
 #include "render_test/render.h"
 
 namespace lancret {
@@ -13,14 +13,10 @@ struct PreviewSettings {
     HairMaterial hair;
     MeshMaterial mesh;
     RenderSettings render;
-    float regularisation = 0.5f;  ///< roughness of hair after a path's first scattering,
-                                  ///< at least; 0: as the material is
-    std::optional<Vec3f> camera_position;  ///< cm; none: the camera frames the groom
-    std::optional<Vec3f> camera_target;    ///< cm; none: the middle of the groom
-    std::optional<Vec3f> view;  ///< direction of sight; none: from the front, a little
-                                ///< to the side and above
-    float field_of_view = 0.5236f;  ///< vertical, radian (30 degrees)
-    float margin = 1.15f;
+    CameraSettings camera;
+    float least_width = 0;         ///< pixels that a strand is drawn wide at least
+    float regularisation = 0.5f;   ///< roughness of hair after a path's first scattering,
+                                   ///< at least; 0: as the material is
     std::optional<Lights> lights;  ///< none: the default rig
     std::optional<Vec2> shutter;   ///< frames after the frame, opens <= closes; none: the
                                    ///< frame as it is, without motion blur
@@ -29,7 +25,7 @@ struct PreviewSettings {
 };
 
 /// What RenderScene's later_hair is by these settings.
-std::optional<HairModel> later_hair(const PreviewSettings& settings);
+std::optional<HairLook> later_hair(const PreviewSettings& settings);
 
 /// Whether a shutter may be: within a thousand frames, and not closed before it opens.
 bool is_shutter(const Vec2& shutter);

@@ -12,6 +12,9 @@ namespace {
 
 constexpr int kTile = 16;
 
+/// The pair of random dimensions for the lens, far from those of paths.
+constexpr std::uint32_t kLensPair = 0x30000;
+
 /// A picture on its way: sums over the samples so far in place of means.
 struct Film {
     Image sums;                       ///< rgba's last is the coverage
@@ -36,14 +39,19 @@ std::uint64_t sample_pixel(const RenderScene& scene, const Camera& camera,
         const Vec2f place =
             (Vec2f(float(x), float(y)) + sampler.next()).cwiseQuotient(size);
         Ray ray = camera.ray(place);
+        if (camera.lens_radius > 0) {
+            Sampler lens(settings.seed, std::uint32_t(pixel), std::uint32_t(s));
+            lens.skip_to(kLensPair);
+            ray = camera.ray(place, lens.next());
+        }
         // One time a path; a pixel's times are spread evenly over the shutter.
         if (scene.geometry->moves()) ray.time = sampler.next().x();
         const PathResult path = trace_path(scene, settings.path, ray, sampler);
         sums.rgba[pixel].head<3>() += path.radiance;
+        sums.rgba[pixel].w() += path.coverage;
         rays += path.rays;
         if (path.first) {
             ++film.hits[pixel];
-            sums.rgba[pixel].w() += 1;
             sums.depth[pixel] += path.first->distance * ray.direction.dot(camera.view());
             sums.normal[pixel] += path.first->normal.dot(ray.direction) > 0
                                       ? Vec3f(-path.first->normal)

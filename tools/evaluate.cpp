@@ -128,7 +128,7 @@ void write_strip(const EvaluateOptions& options, Job& job, Subject& subject,
     RenderSettings& settings = view.preview.render;
     std::tie(settings.width, settings.height) = parse_size(options.size);
     settings.samples = options.samples;
-    view.preview.margin = 1;
+    view.preview.camera.margin = 1;
     ProgressBar bar("render");
     const Image strip = evaluation_strip(taken, profiles, blends, view,
                                          [&](double done) { bar.show(done); });

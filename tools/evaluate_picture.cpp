@@ -67,7 +67,7 @@ Image evaluation_strip(const LeaveOut& taken, const GuideProfiles<float>& profil
     for (const Vec3& p : taken.truth.points) box.extend(p.cast<float>());
     const Camera camera = preview_camera(view.preview, box, view.up);
     RenderScene scene;
-    scene.hair = HairModel(view.preview.hair);
+    scene.hair = HairLook(view.preview.hair);
     scene.mesh = view.preview.mesh;
     scene.lights = view.preview.lights ? *view.preview.lights
                                        : default_lights(camera.view(), view.up);

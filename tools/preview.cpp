@@ -117,11 +117,15 @@ int preview(const PreviewOptions& options) {
         extent(generator.profiles, generator.source.guides, job.groom.bind.length_scale);
     const Camera front = preview_camera(job.preview, box, up);
     RenderScene scene;
-    scene.hair = HairModel(job.preview.hair);
+    scene.hair = HairLook(job.preview.hair);
     scene.later_hair = later_hair(job.preview);
     scene.mesh = job.preview.mesh;
-    const float step =
-        2 * std::numbers::pi_v<float> / float(options.turntable.value_or(1));
+    std::vector<Camera> cameras{front};  // or one a view of a turntable
+    if (options.turntable) cameras.resize(outputs.size());
+    for (std::size_t view = 0; options.turntable && view < outputs.size(); ++view) {
+        const float step = 2 * std::numbers::pi_v<float> / float(outputs.size());
+        cameras[view] = turned(front, box.center(), up, float(view) * step);
+    }
 
     nlohmann::json stats = generator_stats(generator), frames = nlohmann::json::array();
     PictureCost total;
@@ -150,11 +154,10 @@ int preview(const PreviewOptions& options) {
         if (!geometry || !options.turntable) {
             geometry.reset();
             geometry.emplace(
-                grow(generator, rest, chosen, times.frames, job, moments, cost));
+                grow(generator, rest, chosen, times.frames, job, cameras, moments, cost));
             scene.geometry = &*geometry;
         }
-        const Camera camera =
-            options.turntable ? turned(front, box.center(), up, float(i) * step) : front;
+        const Camera& camera = cameras[options.turntable ? i : 0];
         scene.lights =
             job.preview.lights ? *job.preview.lights : default_lights(camera.view(), up);
         shoot(scene, camera, job.preview, options.progressive, title, outputs[i], cost);

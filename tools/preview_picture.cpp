@@ -1,5 +1,6 @@
 #include "tools/preview_picture.h"
 
+#include "render_test/thin_strands.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
 
@@ -18,21 +19,27 @@ std::optional<TriangleMesh> body_of(const GroomGuides& source, const ScalpPose& 
 
 HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
                const std::vector<double>& times, const Job& job,
-               std::vector<ShownTime>& moments, PictureCost& cost) {
+               std::span<const Camera> cameras, std::vector<ShownTime>& moments,
+               PictureCost& cost) {
     moments.clear();
     for (const double frame : times) {
         const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
         Stopwatch watch;
         moments.push_back(
-            {expand(generator.binding, state.profiles, job.groom.expand), {}});
+            {expand(generator.binding, state.profiles, job.groom.expand), {}, {}});
         cost.expand += watch.lap();
         moments.back().body = body_of(generator.source, state.pose);
+        if (job.preview.least_width > 0) {
+            moments.back().true_radii =
+                widen_thin_strands(moments.back().curves, cameras,
+                                   job.preview.render.height, job.preview.least_width);
+        }
     }
     std::vector<SceneTime> scene_times;
     for (const ShownTime& m : moments) {
         scene_times.push_back({&m.curves, m.body ? &*m.body : nullptr});
     }
-    HairScene geometry(scene_times);
+    HairScene geometry(scene_times, {.true_radii = moments.front().true_radii});
     cost.bvh = geometry.build_seconds();
     cost.bvh_bytes = geometry.bvh_bytes();
     return geometry;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,14 +25,16 @@ struct PictureCost {
 struct ShownTime {
     Curves curves;
     std::optional<TriangleMesh> body;
+    std::vector<float> true_radii;  ///< of thin strands drawn wider, else empty
 };
 
 /// Grows the children at the moments of a picture, one without motion blur, and makes
-/// them ready for any number of views. `moments` must outlive what it gives. Throws
-/// InputError.
+/// them ready for any number of views; `cameras` are those that a thin strand is drawn
+/// wide enough for. `moments` must outlive what it gives. Throws InputError.
 HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
                const std::vector<double>& times, const Job& job,
-               std::vector<ShownTime>& moments, PictureCost& cost);
+               std::span<const Camera> cameras, std::vector<ShownTime>& moments,
+               PictureCost& cost);
 
 /// Renders and writes one picture; a progressive one again and again, the file replaced
 /// each time. Throws InputError.

@@ -71,7 +71,7 @@ Traced trace_pixel(const SphereScene& made, const RenderSettings& settings,
         const PathResult path =
             trace_path(made.scene, settings.path, made.camera.ray(place), sampler);
         out.rgba.head<3>() += path.radiance;
-        out.rgba.w() += path.first ? 1 : 0;
+        out.rgba.w() += path.coverage;
         out.rays += path.rays;
     }
     out.rgba /= float(settings.samples);

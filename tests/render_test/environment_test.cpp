@@ -4,7 +4,6 @@
 
 #include <random>
 
-#include "render_test/lights.h"
 #include "render_test/sampler.h"
 #include "render_test/sampling.h"
 #include "tests/render_test/statistics.h"
@@ -24,19 +23,14 @@ ColourMap uneven_map() {
     return map;
 }
 
-template <class Light>
-double sampling_chance(const Light& light, int count, unsigned seed) {
+double sampling_chance(const Environment& light, int count, unsigned seed) {
     // Bins about x, as fine as 5 degrees; the density is constant within texels, whose
     // edges cross bins: 24 x 24 midpoints place an edge to 1/48 of a bin.
     SphereBins bins(16, 32);
     std::mt19937 random(seed);
     for (int i = 0; i < count; ++i) {
         const float u = unit_float(random());
-        const float v = unit_float(random()), pick = unit_float(random());
-        if constexpr (requires { light.sample(Vec2f(u, v)); })
-            bins.add(light.sample(Vec2f(u, v)).direction);
-        else
-            bins.add(light.sample(pick, Vec2f(u, v)).direction);
+        bins.add(light.sample({u, unit_float(random())}).direction);
     }
     auto expected = bins.integrals([&](const Vec3f& d) { return light.pdf(d); }, 24);
     for (double& e : expected) e *= count;
@@ -135,38 +129,6 @@ TEST(Environment, RefusesWhatIsNotRadiance) {
     EXPECT_THROW(Environment(Vec3f(1, -1, 1)), std::invalid_argument);
     EXPECT_THROW(Environment(Vec3f(1, NAN, 1)), std::invalid_argument);
     EXPECT_THROW(Environment(uneven_map(), Vec3f::Zero()), std::invalid_argument);
-}
-
-Lights mixed() {
-    return Lights(Environment(uneven_map()), {{Vec3f(1, 2, 0), Vec3f(2, 2, 2), 0.4f},
-                                              {Vec3f(0, -1, 1), Vec3f(1, 0, 0), 0.9f}});
-}
-
-TEST(Lights, SampledDirectionsFollowTheDensity) {
-    EXPECT_GT(sampling_chance(mixed(), 40000, 7), 1e-3);
-}
-
-TEST(Lights, DistantLightGivesItsIrradianceToASurfaceThatFacesIt) {
-    std::mt19937 random(8);
-    for (const float radius : {0.001f, 0.0047f, 0.5f, 1.5f}) {
-        const Vec3f towards = Vec3f(1, 2, 3).normalized();
-        const Lights lights(Environment(), {{towards, Vec3f(3, 2, 1), radius}});
-        Mean mean;
-        for (int i = 0; i < 20000; ++i) {
-            const float u = unit_float(random());
-            const LightSample s = lights.sample(0.5f, {u, unit_float(random())});
-            ASSERT_GT(s.pdf, 0);
-            mean.add(s.radiance.x() * s.direction.dot(towards) / s.pdf);
-        }
-        // Float radii and solid angles hold 1e-5 even for the smallest disc.
-        EXPECT_NEAR(mean.value(), 3, kSigmas * mean.error() + 1e-4) << radius;
-    }
-}
-
-TEST(Lights, NoLightAtAllHasNoSamples) {
-    const Lights dark;
-    EXPECT_EQ(dark.sample(0.3f, {0.2f, 0.7f}).pdf, 0);
-    EXPECT_EQ(dark.radiance(Vec3f::UnitX()), Vec3f::Zero());
 }
 
 }  // namespace

@@ -2,39 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "render_test/sampling.h"
+#include "tests/render_test/hair_bsdf_helpers.h"
 #include "tests/render_test/statistics.h"
 
 namespace lancret {
 namespace {
-
-Vec3f viewer(float inclination) {
-    return {std::sin(inclination), 0, std::cos(inclination)};
-}
-
-HairMaterial material(float beta_m, float beta_n, float tilt, float sigma_a) {
-    HairMaterial m;
-    m.beta_m = beta_m, m.beta_n = beta_n, m.tilt = tilt;
-    m.sigma_a = Vec3f::Constant(sigma_a);
-    return m;
-}
-
-struct Random {
-    std::mt19937 engine;
-    float operator()() { return unit_float_of(engine()); }
-    Vec2f pair() {
-        const float x = (*this)();
-        return {x, (*this)()};
-    }
-    static float unit_float_of(std::uint32_t bits) { return float(bits >> 8) * 0x1p-24f; }
-};
-
-std::optional<BsdfSample> draw(const HairBsdf& bsdf, Random& random) {
-    const float pick = random(), azimuth = random();
-    return bsdf.sample(pick, azimuth, random.pair());
-}
 
 /// The share of light sent on, by importance sampling.
 Mean albedo(const HairBsdf& bsdf, int count, Random& random) {
@@ -257,6 +230,15 @@ TEST(HairColour, AbsorptionOfAColourComesBackFromTheFit) {
     EXPECT_NEAR(sigma.y(), std::pow(std::log(0.5) / fit, 2), 1e-7);
     EXPECT_LT(sigma.x(), sigma.y());
     EXPECT_LT(sigma.y(), sigma.z());
+}
+
+TEST(HairColour, ColourOfAnAbsorptionIsTheInverse) {
+    for (const float beta : {0.1f, 0.3f, 0.8f})
+        for (const Vec3f& c : {Vec3f(0.9f, 0.5f, 0.1f), Vec3f(0.02f, 0.3f, 0.99f)}) {
+            // exp(-fit sqrt(sigma)): the exponent is at most 4, its rounding 5e-7.
+            const Vec3f back = colour_of_sigma_a(sigma_a_of_colour(c, beta), beta);
+            EXPECT_LT((back - c).cwiseAbs().maxCoeff(), 1e-6f);
+        }
 }
 
 TEST(HairColour, RefusesWhatIsOutOfRange) {

@@ -91,6 +91,18 @@ TEST(Frames, ATurntableGoesRoundOneGrowth) {
               2);
 }
 
+TEST(Frames, ATurntableDrawsThinStrandsWiderInEveryView) {
+    const Bent f;
+    const std::string wide =
+        f.file("wide.toml", read_bytes(f.made) + "min_width_pixels = 2\n");
+    for (const auto& [groom, picture] :
+         {std::pair{f.made, "t.##.png"}, std::pair{wide, "w.##.png"}})
+        ASSERT_THAT(lancret({"preview", groom, "--turntable", "2", "-o", f.at(picture)}),
+                    works());
+    EXPECT_NE(read_bytes(f / "w.01.png"), read_bytes(f / "t.01.png"));
+    EXPECT_NE(read_bytes(f / "w.02.png"), read_bytes(f / "t.02.png"));
+}
+
 TEST(Frames, AProgressivePictureEndsInTheSameBytes) {
     const Bent f;
     ASSERT_THAT(f.preview({"--samples", "3", "-o", f.at("at_once.png")}), works());
