@@ -65,6 +65,7 @@ Environment::Environment(ColourMap map, const Vec3f& up, float rotation)
     const auto bright = [&](int x, int y) {
         return double(luminance(map_.at((x + w) % w, std::clamp(y, 0, h - 1))));
     };
+    double squares = 0;
     for (int y = 0; y < h; ++y) {
         // The mean of bilinear interpolation over a texel: 1/8, 6/8, 1/8 each way.
         for (int x = 0; x < w; ++x) {
@@ -75,22 +76,40 @@ Environment::Environment(ColourMap map, const Vec3f& up, float rotation)
         }
         const double sum = accumulate(
             across, std::span(columns_).subspan(std::size_t(y) * (w + 1), w + 1));
-        down[y] = sum * double(edges_[y] - edges_[y + 1]);
+        const double height = double(edges_[y] - edges_[y + 1]);
+        down[y] = sum * height;
+        for (const double l : across) squares += l * l * height / (2.0 * w);
     }
-    mean_luminance_ = float(accumulate(down, rows_) / (2.0 * w));
+    const double mean = accumulate(down, rows_) / (2.0 * w);
+    mean_luminance_ = float(mean);
+    if (squares > 0) unevenness_ = float(std::max(0.0, 1 - mean * mean / squares));
 }
 
 Environment::Place Environment::place_of(const Vec3f& direction) const {
     const Vec3f d = to_map_ * direction;
-    float turn = std::atan2(d.z(), d.x()) / (2 * kPi);
+    // In a map of one column nothing changes around.
+    float turn = map_.width == 1 ? 0 : std::atan2(d.z(), d.x()) / (2 * kPi);
     if (turn < 0) turn += 1;
-    const float polar = std::atan2(std::hypot(d.x(), d.z()), d.y()) / kPi;
+    const float across = std::sqrt(d.x() * d.x() + d.z() * d.z());
+    const float polar = std::atan2(across, d.y()) / kPi;
     return {turn * float(map_.width), polar * float(map_.height)};
 }
 
 Vec3f Environment::radiance(const Vec3f& direction) const {
-    if (map_.texels.size() == 1) return map_.texels[0];
+    return map_.texels.size() == 1 ? map_.texels[0] : radiance(place_of(direction));
+}
+
+float Environment::pdf(const Vec3f& direction) const {
+    return map_.texels.size() == 1 ? 1 / (4 * kPi) : pdf(place_of(direction));
+}
+
+LightSample Environment::along(const Vec3f& direction) const {
+    if (map_.texels.size() == 1) return {direction, map_.texels[0], 1 / (4 * kPi)};
     const Place place = place_of(direction);
+    return {direction, radiance(place), pdf(place)};
+}
+
+Vec3f Environment::radiance(const Place& place) const {
     const float x = place.x - 0.5f, y = place.y - 0.5f;
     const int w = map_.width, h = map_.height;
     const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
@@ -101,8 +120,7 @@ Vec3f Environment::radiance(const Vec3f& direction) const {
            fy * ((1 - fx) * map_.at(left, bottom) + fx * map_.at(right, bottom));
 }
 
-float Environment::pdf(const Vec3f& direction) const {
-    const Place place = place_of(direction);
+float Environment::pdf(const Place& place) const {
     return texel_pdf(std::clamp(int(place.x), 0, map_.width - 1),
                      std::clamp(int(place.y), 0, map_.height - 1));
 }

@@ -14,7 +14,7 @@ Vec3f groom_value(const Vec3f& colour, const Vec3f& wi) {
 }
 
 Vec3f groom_radiance(const RenderScene& scene, const Ray& ray, const Hit& hit,
-                     Sampler& sampler) {
+                     Sampler& sampler, RayCounter& counter) {
     const Vec2f light_random = sampler.next(), picks = sampler.next();
     const LightSample light = scene.lights.sample(hit.position, picks.x(), light_random);
     if (!(light.pdf > 0)) return Vec3f::Zero();
@@ -35,8 +35,7 @@ Vec3f groom_radiance(const RenderScene& scene, const Ray& ray, const Hit& hit,
     if (!(arrives.maxCoeff() > 0)) return Vec3f::Zero();
     Ray shadow = ray_from(hit, side, light.direction, ray.time);
     shadow.far = light.distance * (1 - 1e-5f);
-    return scene.geometry->occluded(shadow) ? Vec3f(kGroomShadowLight * arrives)
-                                            : arrives;
+    return counter.occluded(shadow) ? Vec3f(kGroomShadowLight * arrives) : arrives;
 }
 
 }  // namespace lancret

@@ -16,6 +16,6 @@ Vec3f groom_value(const Vec3f& colour, const Vec3f& wi);
 /// passes through whatever is between, in place of light from strand to strand.
 inline constexpr float kGroomShadowLight = 0.15f;
 Vec3f groom_radiance(const RenderScene& scene, const Ray& ray, const Hit& hit,
-                     Sampler& sampler);
+                     Sampler& sampler, RayCounter& counter);
 
 }  // namespace lancret

@@ -8,6 +8,11 @@
 namespace lancret {
 namespace {
 
+// The lobes are one vector. Its exponential is Eigen's, good to 2 units in the last
+// place.
+using Eigen::Array4f;
+static_assert(kHairLobes == 4);
+
 float square(float x) { return x * x; }
 
 /// The odd power of x, by squaring.
@@ -18,41 +23,48 @@ float power(float x, int n) {
     return result;
 }
 
-/// The Bessel function I0(x) exp(-x) for x >= 0 [Abramowitz and Stegun, Eq. 9.8.1-9.8.2],
-/// to 2e-7 of its value.
-float bessel_i0_scaled(float x) {
-    if (x < 3.75f) {
-        const float t = square(x / 3.75f);
-        const float i0 =
-            1 + t * (3.5156229f +
-                     t * (3.0899424f +
-                          t * (1.2067492f +
-                               t * (0.2659732f + t * (0.0360768f + t * 0.0045813f)))));
-        return i0 * std::exp(-x);
-    }
-    const float t = 3.75f / x;
-    float p = 0.00392377f;
-    for (const float c : {-0.01647633f, 0.02635537f, -0.02057706f, 0.00916281f,
-                          -0.00157565f, 0.00225319f, 0.01328592f, 0.39894228f})
-        p = p * t + c;
-    return p / std::sqrt(x);
+template <std::size_t N>
+Array4f polynomial(const Array4f& x, const std::array<float, N>& coefficients) {
+    Array4f sum = Array4f::Constant(coefficients[0]);
+    for (std::size_t i = 1; i < N; ++i) sum = sum * x + coefficients[i];
+    return sum;
+}
+
+/// The Bessel function I0(x) exp(-x - y) for x, y >= 0 [Abramowitz and Stegun,
+/// Eq. 9.8.1-9.8.2], to 2e-7 of its value but for the exponential's own error.
+Array4f bessel_i0_scaled(const Array4f& x, const Array4f& y) {
+    constexpr float kJoint = 3.75f;
+    const auto small = x < kJoint;
+    const Array4f low = x.min(kJoint) / kJoint, high = x.max(kJoint);
+    const Array4f series = polynomial<7>(
+        low.square(),
+        {0.0045813f, 0.0360768f, 0.2659732f, 1.2067492f, 3.0899424f, 3.5156229f, 1.0f});
+    const Array4f tail =
+        polynomial<9>(kJoint / high,
+                      {0.00392377f, -0.01647633f, 0.02635537f, -0.02057706f, 0.00916281f,
+                       -0.00157565f, 0.00225319f, 0.01328592f, 0.39894228f}) /
+        high.sqrt();
+    return small.select(series, tail) * (-(y + small.select(x, 0.0f))).exp();
 }
 
 /// M [d'Eon et al. 2011, Eq. 7; Chiang et al. 2016, Eq. 6] = exp(-b) I0(a) / (2 v
 /// sinh(1/v)) with a = ci co / v and b = si so / v. The exponentials are joined into
 /// exp((cos(ti + to) - 1) / v), which is at most one for any v: no branch for small v.
-float longitudinal(float sine_i, float cosine_i, float sine_o, float cosine_o,
-                   const HairModel::Lobe& lobe) {
-    const float v = lobe.variance;
-    const float versine = 0.5f * (square(sine_i + sine_o) + square(cosine_i - cosine_o));
-    return std::exp(-versine / v) * bessel_i0_scaled(cosine_i * cosine_o / v) /
-           (v * lobe.spread);
+Array4f longitudinal(float sine_i, float cosine_i, const Array4f& sine_o,
+                     const Array4f& cosine_o, const HairModel& model) {
+    const Array4f& v = model.variance;
+    const Array4f versine =
+        0.5f * ((sine_i + sine_o).square() + (cosine_i - cosine_o).square());
+    return bessel_i0_scaled(cosine_i * cosine_o / v, versine / v) / (v * model.spread);
 }
 
-/// N: the logistic of scale s, trimmed to [-pi, pi] [Chiang et al. 2016, Eq. 8].
-float azimuthal(float x, const HairModel& model) {
-    const float e = std::exp(-std::abs(x) / model.s);
-    return e / (model.s * square(1 + e) * (1 - 2 * model.s_tail));
+/// N at angles within [-pi, pi]: the logistic of scale s, trimmed there [Chiang et al.
+/// 2016, Eq. 8]; the residual's is even.
+Array4f azimuthal(const Array4f& x, const HairModel& model) {
+    const Array4f e = (-x.abs() / model.s).exp();
+    Array4f n = e / (model.s * (1 - 2 * model.s_tail) * (1 + e).square());
+    n[kHairLobes - 1] = 1 / (2 * kPi);
+    return n;
 }
 
 float sampled_azimuth(float random, const HairModel& model) {
@@ -60,9 +72,12 @@ float sampled_azimuth(float random, const HairModel& model) {
     return std::clamp(model.s * std::log(p / (1 - p)), -kPi, kPi);
 }
 
-/// The angle less the whole turns nearest to it.
-float wrapped(float angle) {
-    return angle - 2 * kPi * std::floor(angle / (2 * kPi) + 0.5f);
+/// The part of a unit direction across the strand: the cosine of its inclination.
+float length_across(const Vec3f& w) { return std::sqrt(square(w.y()) + square(w.z())); }
+
+/// Angles less the whole turns nearest to them.
+Array4f wrapped(const Array4f& angle) {
+    return angle - 2 * kPi * (angle / (2 * kPi) + 0.5f).floor();
 }
 
 }  // namespace
@@ -86,15 +101,16 @@ HairModel::HairModel(const HairMaterial& material)
         throw std::invalid_argument("hair tilt must be within -0.5 and 0.5 radian");
     // [Chiang et al. 2016, Eq. 7]: TT is half as wide as R, TRT and the rest twice.
     const float v = square(0.726f * m + 0.812f * m * m + 3.7f * power(m, 20));
-    const std::array<float, kHairLobes> variances{v, v / 4, 4 * v, 4 * v};
+    variance << v, v / 4, 4 * v, 4 * v;
     // Scales rise towards the tip, so their normals lean to the root. wo's inclination is
     // turned so that R shows at twice the tilt nearer the root, and TT and TRT nearer the
     // tip [Marschner et al. 2003, Sec. 4; angles as Chiang et al. 2016].
     const std::array<float, kHairLobes> turns{2 * material.tilt, -material.tilt,
                                               -4 * material.tilt, 0};
-    for (int p = 0; p < kHairLobes; ++p)
-        lobes[p] = {variances[p], -std::expm1(-2 / variances[p]), std::sin(turns[p]),
-                    std::cos(turns[p])};
+    for (int p = 0; p < kHairLobes; ++p) {
+        spread[p] = -std::expm1(-2 / variance[p]);
+        sine[p] = std::sin(turns[p]), cosine[p] = std::cos(turns[p]);
+    }
     constexpr float kLogisticOfNormal = 0.626657069f;  // sqrt(pi / 8)
     s = kLogisticOfNormal * (0.265f * n + 1.194f * n * n + 5.372f * power(n, 22));
     s_tail = 1 / (1 + std::exp(kPi / s));
@@ -119,81 +135,74 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo
     const float f =
         fresnel_dielectric(cosine_o * std::sqrt(std::max(0.0f, 1 - h * h)), model.eta);
     const float enters = std::max(0.0f, 1 - f);
-    const Eigen::Array3f depth = sigma_a.array() * length;
-    const Eigen::Array3f transmitted = (-depth).exp();
-    lobes_[0].attenuation.setConstant(f);
-    lobes_[1].attenuation = square(enters) * transmitted;
-    lobes_[2].attenuation = f * lobes_[1].attenuation.array() * transmitted;
-    lobes_[3].attenuation.setZero();
-    if (enters > 0) {
-        const Eigen::Array3f lost =
-            depth.unaryExpr([](float x) { return -std::expm1(-x); });
-        lobes_[3].attenuation =
-            f * lobes_[2].attenuation.array() * transmitted / (enters + f * lost);
-    }
+    Array4f depth = Array4f::Zero();
+    depth.head<3>() = sigma_a.array() * length;
+    const Array4f transmitted = (-depth).exp();
+    // 1 - exp(-d), its series to 4e-8 where the difference has lost digits.
+    const Array4f lost =
+        (depth < 0.01f)
+            .select(depth * (1 - depth * (0.5f - depth * (1.0f / 6))), 1 - transmitted);
+    const Array4f through = square(enters) * transmitted;
+    const Array4f once = f * through * transmitted;
+    attenuation_[0].setConstant(f);
+    attenuation_[1] = through.head<3>();
+    attenuation_[2] = once.head<3>();
+    attenuation_[3].setZero();
+    if (enters > 0)
+        attenuation_[3] = (f * once * transmitted / (enters + f * lost)).head<3>();
 
-    float total = 0;
-    for (int p = 0; p < kHairLobes; ++p) {
-        Lobe& lobe = lobes_[p];
-        const HairModel::Lobe& turn = model.lobes[p];
-        lobe.probability = luminance(lobe.attenuation);
-        total += lobe.probability;
-        lobe.sine = sine_o * turn.cosine + cosine_o * turn.sine;
-        lobe.cosine = std::abs(cosine_o * turn.cosine - sine_o * turn.sine);
-        // wo's azimuth is pi / 2 [Marschner et al. 2003, Eq. 3].
-        lobe.phi = kPi / 2 + 2 * p * gamma_t - 2 * gamma_o + p * kPi;
-    }
-    for (Lobe& lobe : lobes_) lobe.probability /= total;
+    for (int p = 0; p < kHairLobes; ++p) probability_[p] = luminance(attenuation_[p]);
+    probability_ /= probability_.sum();
+    sine_ = sine_o * model.cosine + cosine_o * model.sine;
+    cosine_ = (cosine_o * model.cosine - sine_o * model.sine).abs();
+    // wo's azimuth is pi / 2 [Marschner et al. 2003, Eq. 3].
+    const Array4f order(0, 1, 2, 3);
+    phi_ = kPi / 2 - 2 * gamma_o + order * (2 * gamma_t + kPi);
 }
 
-float HairBsdf::density(int lobe, float sine_i, float cosine_i, float phi) const {
-    const Lobe& at = lobes_[lobe];
-    const float n =
-        lobe + 1 < kHairLobes ? azimuthal(wrapped(phi - at.phi), *model_) : 1 / (2 * kPi);
-    return n * longitudinal(sine_i, cosine_i, at.sine, at.cosine, model_->lobes[lobe]);
+Array4f HairBsdf::densities(float sine_i, float cosine_i, float phi_i) const {
+    return longitudinal(sine_i, cosine_i, sine_, cosine_, *model_) *
+           azimuthal(wrapped(phi_i - phi_), *model_);
 }
 
 float HairBsdf::lobe_density(int lobe, const Vec3f& wi) const {
-    return density(lobe, std::clamp(wi.x(), -1.0f, 1.0f), std::hypot(wi.y(), wi.z()),
-                   std::atan2(wi.z(), wi.y()));
+    return densities(std::clamp(wi.x(), -1.0f, 1.0f), length_across(wi),
+                     std::atan2(wi.z(), wi.y()))[lobe];
 }
 
 BsdfValue HairBsdf::evaluate(const Vec3f& wi) const {
-    const float sine_i = std::clamp(wi.x(), -1.0f, 1.0f);
-    const float cosine_i = std::hypot(wi.y(), wi.z());
-    const float phi = std::atan2(wi.z(), wi.y());
+    return evaluate(std::clamp(wi.x(), -1.0f, 1.0f), length_across(wi),
+                    std::atan2(wi.z(), wi.y()));
+}
+
+BsdfValue HairBsdf::evaluate(float sine_i, float cosine_i, float phi_i) const {
+    const Array4f density = densities(sine_i, cosine_i, phi_i);
     BsdfValue at;
-    for (int p = 0; p < kHairLobes; ++p) {
-        const float mn = density(p, sine_i, cosine_i, phi);
-        at.value += mn * lobes_[p].attenuation;
-        at.pdf += mn * lobes_[p].probability;
-    }
+    for (int p = 0; p < kHairLobes; ++p) at.value += density[p] * attenuation_[p];
+    at.pdf = (density * probability_).sum();
     return at;
 }
 
 std::optional<BsdfSample> HairBsdf::sample(float pick, float azimuth,
                                            const Vec2f& longitude) const {
     int p = 0;
-    while (p + 1 < kHairLobes && pick >= lobes_[p].probability)
-        pick -= lobes_[p++].probability;
-    const Lobe& lobe = lobes_[p];
-    const HairModel::Lobe& shape = model_->lobes[p];
+    while (p + 1 < kHairLobes && pick >= probability_[p]) pick -= probability_[p++];
     // M is sampled about the mirrored inclination [d'Eon et al. 2013, "Importance
     // Sampling for Physically-Based Hair Fiber Models"]; one minus the cosine keeps its
     // digits.
-    const float versine =
-        std::min(2.0f, -shape.variance * std::log1p(-shape.spread * longitude.x()));
+    const float versine = std::min(
+        2.0f, -model_->variance[p] * std::log1p(-model_->spread[p] * longitude.x()));
     const float across = std::sqrt(versine * (2 - versine));
     const float sine_i =
-        std::clamp(-(1 - versine) * lobe.sine +
-                       across * std::cos(2 * kPi * longitude.y()) * lobe.cosine,
+        std::clamp(-(1 - versine) * sine_[p] +
+                       across * std::cos(2 * kPi * longitude.y()) * cosine_[p],
                    -1.0f, 1.0f);
     const float cosine_i = std::sqrt(1 - square(sine_i));
-    const float phi = p + 1 < kHairLobes ? lobe.phi + sampled_azimuth(azimuth, *model_)
+    const float phi = p + 1 < kHairLobes ? phi_[p] + sampled_azimuth(azimuth, *model_)
                                          : 2 * kPi * azimuth;
     BsdfSample sample;
     sample.direction = {sine_i, cosine_i * std::cos(phi), cosine_i * std::sin(phi)};
-    sample.at = evaluate(sample.direction);
+    sample.at = evaluate(sine_i, cosine_i, phi);
     if (!(sample.at.pdf > 0)) return std::nullopt;
     return sample;
 }

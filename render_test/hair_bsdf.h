@@ -36,13 +36,11 @@ struct BsdfSample {
 struct HairModel {
     explicit HairModel(const HairMaterial& material);  ///< throws std::invalid_argument
 
-    struct Lobe {
-        float variance;      ///< v of M
-        float spread;        ///< 1 - exp(-2 / v)
-        float sine, cosine;  ///< of the turn of wo's inclination by the scales' tilt
-    };
-    std::array<Lobe, kHairLobes> lobes;
-    Vec3f sigma_a;  ///< per radius
+    // One number a lobe.
+    Eigen::Array4f variance;      ///< v of M
+    Eigen::Array4f spread;        ///< 1 - exp(-2 / v)
+    Eigen::Array4f sine, cosine;  ///< of the turn of wo's inclination by the scales' tilt
+    Vec3f sigma_a;                ///< per radius
     float eta;
     float s;       ///< scale of the logistic N
     float s_tail;  ///< its distribution function at -pi, untrimmed
@@ -61,23 +59,22 @@ class HairBsdf {
     /// M N of one lobe: its density, which integrates to one over the sphere.
     float lobe_density(int lobe, const Vec3f& wi) const;
     /// Its A, and the share of samples that it gets.
-    const Vec3f& lobe_attenuation(int lobe) const { return lobes_[lobe].attenuation; }
-    float lobe_probability(int lobe) const { return lobes_[lobe].probability; }
+    const Vec3f& lobe_attenuation(int lobe) const { return attenuation_[lobe]; }
+    float lobe_probability(int lobe) const { return probability_[lobe]; }
     /// `pick` chooses the lobe; all in [0, 1). Nothing where the density underflows.
     std::optional<BsdfSample> sample(float pick, float azimuth,
                                      const Vec2f& longitude) const;
 
   private:
-    float density(int lobe, float sine_i, float cosine_i, float phi) const;
+    /// M N of each lobe.
+    Eigen::Array4f densities(float sine_i, float cosine_i, float phi_i) const;
+    BsdfValue evaluate(float sine_i, float cosine_i, float phi_i) const;
 
-    struct Lobe {
-        Vec3f attenuation;   ///< A
-        float probability;   ///< of sampling it
-        float sine, cosine;  ///< of wo's inclination, turned by the tilt
-        float phi;           ///< azimuth of the specular path; unused by the residual
-    };
     const HairModel* model_;
-    std::array<Lobe, kHairLobes> lobes_;
+    std::array<Vec3f, kHairLobes> attenuation_;  ///< A
+    Eigen::Array4f probability_;                 ///< of sampling each lobe
+    Eigen::Array4f sine_, cosine_;  ///< of wo's inclination, turned by the tilt
+    Eigen::Array4f phi_;  ///< azimuth of the specular path; unused by the residual
 };
 
 /// Reflectance of a dielectric interface of relative index `eta` > 1, met from outside.

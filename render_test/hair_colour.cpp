@@ -1,5 +1,6 @@
 #include "render_test/hair_colour.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -47,6 +48,14 @@ Vec3f sigma_a_of(const HairMaterial& material) {
         !std::isfinite(material.eumelanin + material.pheomelanin))
         throw std::invalid_argument("melanin must be finite and not negative");
     return sigma_a_of_melanin(material.eumelanin, material.pheomelanin);
+}
+
+HairMaterial widened(const HairMaterial& material, float least) {
+    HairMaterial wide = material;
+    wide.sigma_a = sigma_a_of(material);
+    wide.beta_m = std::max(material.beta_m, least);
+    wide.beta_n = std::max(material.beta_n, least);
+    return wide;
 }
 
 }  // namespace lancret

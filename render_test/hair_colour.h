@@ -45,4 +45,8 @@ Vec3f colour_of_sigma_a(const Vec3f& sigma_a, float beta_n);
 /// std::invalid_argument where a value is out of its range.
 Vec3f sigma_a_of(const HairMaterial& material);
 
+/// The same fibre with both roughnesses at least `least` (0.01 to 1). It absorbs as
+/// before, even where a colour was given. Throws as sigma_a_of.
+HairMaterial widened(const HairMaterial& material, float least);
+
 }  // namespace lancret

@@ -30,7 +30,7 @@ Vec3f end_sigma(const HairMaterial& material, const std::optional<Vec3f>& colour
 HairLook::HairLook(HairModel model)
     : models_{model}, root_(model.sigma_a), tip_(model.sigma_a) {}
 
-HairLook::HairLook(const HairMaterial& material)
+HairLook::HairLook(const HairMaterial& material, float least_roughness)
     : root_(end_sigma(material, material.root_colour)),
       tip_(end_sigma(material, material.tip_colour)),
       melanin_variation_(material.melanin_variation),
@@ -39,13 +39,15 @@ HairLook::HairLook(const HairMaterial& material)
     for (const float v : {material.melanin_variation, material.roughness_variation})
         if (!(v >= 0 && v <= 1))
             throw std::invalid_argument("a hair's variation must be within 0 and 1");
-    models_.emplace_back(material);  // refuses what is out of range
-    if (material.roughness_variation == 0) return;
-    models_.clear();
-    for (int i = 0; i < kRoughnesses; ++i) {
-        const float share = 2 * float(i) / (kRoughnesses - 1) - 1;
-        models_.emplace_back(
-            with_roughness(material, 1 + share * material.roughness_variation));
+    if (!(least_roughness >= 0 && least_roughness <= 1))
+        throw std::invalid_argument("a hair's least roughness must be within 0 and 1");
+    const HairModel as_said(material);  // refuses what is out of range
+    const int levels = material.roughness_variation > 0 ? kRoughnesses : 1;
+    for (int i = 0; i < levels; ++i) {
+        const float share = levels > 1 ? 2 * float(i) / float(levels - 1) - 1 : 0;
+        const HairMaterial own =
+            with_roughness(material, 1 + share * material.roughness_variation);
+        models_.emplace_back(widened(own, least_roughness));
     }
 }
 

@@ -15,8 +15,10 @@ class HairLook {
   public:
     /// Every strand alike.
     HairLook(HairModel model);  // NOLINT(google-explicit-constructor)
-    /// Throws std::invalid_argument where a value is out of its range.
-    explicit HairLook(const HairMaterial& material);
+    /// Strands of which both roughnesses are at least `least_roughness` (0 to 1). They
+    /// absorb as without it, even where a colour was given. Throws std::invalid_argument
+    /// where a value is out of its range.
+    explicit HairLook(const HairMaterial& material, float least_roughness = 0);
 
     /// The strand's lobes; of 17 roughnesses, the strand's own or the nearest.
     const HairModel& model(std::uint32_t strand) const;

@@ -76,7 +76,10 @@ Vec3f cap_direction(const Mat3f& frame, float versine, const Vec2f& random) {
 
 /// Each of the following for each shape: what a facing surface receives, about (above 0
 /// wherever anything arrives); a direction towards it; the light along a direction.
-float share_of(const Environment& e, const Vec3f&) { return kPi * e.mean_luminance(); }
+/// An even environment counts for less: scattering finds it as well.
+float share_of(const Environment& e, const Vec3f&) {
+    return kPi * e.mean_luminance() * std::max(0.05f, e.unevenness());
+}
 
 float share_of(const Disc& disc, const Vec3f&) { return disc.share; }
 
@@ -139,7 +142,7 @@ LightSample sample_of(const SphereLight& s, const Vec3f& from, const Vec2f& rand
 }
 
 LightSample met(const Environment& environment, const Vec3f&, const Vec3f& direction) {
-    return {direction, environment.radiance(direction), environment.pdf(direction)};
+    return environment.along(direction);
 }
 
 LightSample met(const Disc& disc, const Vec3f&, const Vec3f& direction) {

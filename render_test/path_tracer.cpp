@@ -19,10 +19,14 @@ constexpr std::uint32_t kThinPair = 0x20000;
 
 /// A path on its way: what it has gathered, and what it still lets through.
 struct Path {
+    RayCounter counter;
     Ray ray;
     Vec3f radiance = Vec3f::Zero();
     Vec3f throughput = Vec3f::Ones();
     float pdf = 0;  ///< of the ray's direction, 1/sr
+
+    std::optional<Hit> intersect() { return counter.intersect(ray); }
+    bool occluded(const Ray& shadow) { return counter.occluded(shadow); }
 };
 
 /// Weight of a light found by sampling lights, and of one found by scattering, each with
@@ -54,7 +58,7 @@ bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& 
         if (arrives.maxCoeff() > 0) {
             Ray shadow = ray_from(hit, frame.col(2), light.direction, path.ray.time);
             shadow.far = light.distance * (1 - 1e-5f);
-            if (!scene.geometry->occluded(shadow))
+            if (!path.occluded(shadow))
                 path.radiance +=
                     path.throughput.cwiseProduct(arrives) *
                     (light_weight(settings.sampling, light.pdf, at.pdf) / light.pdf);
@@ -71,13 +75,14 @@ bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& 
 }
 
 bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& hit,
-             Sampler& sampler, Path& path) {
+             int depth, Sampler& sampler, Path& path) {
     const Vec3f wo = -path.ray.direction;
     Mat3f frame;
     if (hit.kind == Hit::Kind::strand) {
         frame << hit.tangent, hit.facing.cross(hit.tangent), hit.facing;
-        const HairBsdf bsdf(scene.hair.model(hit.strand),
-                            scene.hair.sigma_a(hit.strand, hit.along),
+        const HairLook& hair =
+            depth > 0 && scene.later_hair ? *scene.later_hair : scene.hair;
+        const HairBsdf bsdf(hair.model(hit.strand), hair.sigma_a(hit.strand, hit.along),
                             frame.transpose() * wo, hit.h);
         return scatter(scene, settings, hit, bsdf, frame, sampler, path);
     }
@@ -99,10 +104,10 @@ struct Seen {
 };
 constexpr float kLeastLeft = 1e-3f;
 
-Seen first_seen(const HairScene& geometry, Ray ray, Sampler& sampler) {
+Seen first_seen(RayCounter& counter, Ray ray, Sampler& sampler) {
     Seen seen;
-    if (!geometry.has_thin_strands()) {
-        seen.hit = geometry.intersect(ray);
+    if (!counter.geometry.has_thin_strands()) {
+        seen.hit = counter.intersect(ray);
         seen.coverage = seen.hit ? 1 : 0;
         return seen;
     }
@@ -110,7 +115,7 @@ Seen first_seen(const HairScene& geometry, Ray ray, Sampler& sampler) {
     float random = sampler.next().x(), left = 1;
     ray.by_chance = false;
     std::optional<Hit> last;
-    while (const std::optional<Hit> hit = geometry.intersect(ray)) {
+    while (const std::optional<Hit> hit = counter.intersect(ray)) {
         ray.near = hit->distance +
                    1e-6f * (1 + hit->position.cwiseAbs().maxCoeff() + hit->distance);
         // A segment's neighbour at their joint, or a tube's far side, is the same strand.
@@ -150,8 +155,8 @@ void follow(const RenderScene& scene, const PathSettings& settings, Hit hit,
             path.throughput /= survival;
             sampler.skip_to(kCameraPairs + kBouncePairs * std::uint32_t(depth));
         }
-        if (!scatter(scene, settings, hit, sampler, path)) return;
-        const std::optional<Hit> next = scene.geometry->intersect(path.ray);
+        if (!scatter(scene, settings, hit, depth, sampler, path)) return;
+        const std::optional<Hit> next = path.intersect();
         if (settings.sampling != LightSampling::lights)
             path.radiance += path.throughput.cwiseProduct(scene.lights.along(
                 path.ray.origin, path.ray.direction, next ? next->distance : path.ray.far,
@@ -164,6 +169,18 @@ void follow(const RenderScene& scene, const PathSettings& settings, Hit hit,
 }
 
 }  // namespace
+
+std::optional<Hit> RayCounter::intersect(const Ray& ray) {
+    ++rays;
+    if (record) record->push_back({ray, false});
+    return geometry.intersect(ray);
+}
+
+bool RayCounter::occluded(const Ray& shadow) {
+    ++rays;
+    if (record) record->push_back({shadow, true});
+    return geometry.occluded(shadow);
+}
 
 Ray ray_from(const Hit& hit, const Vec3f& side, const Vec3f& direction, float time) {
     Ray ray;
@@ -192,23 +209,24 @@ float strand_clearance(const Hit& hit, const Vec3f& direction) {
 
 PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ray ray,
                       Sampler& sampler) {
-    const Seen seen = first_seen(*scene.geometry, ray, sampler);
+    Path path{.counter = {*scene.geometry, settings.record}, .ray = ray};
+    const Seen seen = first_seen(path.counter, ray, sampler);
     PathResult result;
     result.first = seen.hit;
     result.coverage = seen.coverage;
-    Path path;
-    path.ray = ray;
     path.throughput *= seen.coverage;
     if (settings.show_environment && seen.coverage < 1)
         path.radiance =
             (1 - seen.coverage) * scene.lights.environment().radiance(ray.direction);
     if (seen.hit && settings.groom_shading) {
         sampler.skip_to(kCameraPairs);
-        path.radiance += seen.coverage * groom_radiance(scene, ray, *seen.hit, sampler);
+        path.radiance +=
+            seen.coverage * groom_radiance(scene, ray, *seen.hit, sampler, path.counter);
     } else if (seen.hit) {
         follow(scene, settings, *seen.hit, sampler, path);
     }
     result.radiance = path.radiance;
+    result.rays = path.counter.rays;
     return result;
 }
 

@@ -2,7 +2,9 @@
 // Light along one path: next-event estimation and sampling of the material, combined by
 // multiple importance sampling [Veach 1997].
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "render_test/embree_scene.h"
 #include "render_test/hair_look.h"
@@ -16,8 +18,28 @@ namespace lancret {
 struct RenderScene {
     const HairScene* geometry = nullptr;
     HairLook hair{HairMaterial{}};
+    /// Of every scattering after a path's first. Path regularisation: wider hair there
+    /// leaves less noise and is a little brighter (docs/render_speed.md). None: as
+    /// `hair`.
+    std::optional<HairLook> later_hair;
     MeshMaterial mesh;
     Lights lights;
+};
+
+/// A ray as it was asked of the scene.
+struct TracedRay {
+    Ray ray;
+    bool shadow;  ///< whether anything is met, and not what
+};
+
+/// Asks rays of a scene and counts them.
+struct RayCounter {
+    const HairScene& geometry;
+    std::vector<TracedRay>* record = nullptr;  ///< gets every ray, where given
+    std::uint32_t rays = 0;                    ///< asked so far
+
+    std::optional<Hit> intersect(const Ray& ray);
+    bool occluded(const Ray& shadow);
 };
 
 /// Where light is looked for. Each gives the same picture at last: two of them alone are
@@ -30,8 +52,9 @@ enum class LightSampling {
 
 struct PathSettings {
     int max_depth = 64;             ///< scatterings along a path; pale hair needs many
-    int roulette_depth = 8;         ///< from here on, a path ends by chance
+    int roulette_depth = 2;         ///< from here on, a path ends by chance
     bool show_environment = false;  ///< to the camera; then alpha is one everywhere
+    std::vector<TracedRay>* record = nullptr;  ///< gets every ray; for one thread alone
     LightSampling sampling = LightSampling::both;
     bool groom_shading = false;  ///< in place of paths (groom_shading.h)
 };
@@ -40,6 +63,7 @@ struct PathResult {
     Vec3f radiance = Vec3f::Zero();
     std::optional<Hit> first;  ///< what the camera sees; one of what it sees through
     float coverage = 0;        ///< 0..1, less than one through thin strands
+    std::uint32_t rays = 0;    ///< traced, shadow rays too
 };
 
 /// Follows one path. Nothing is clamped: a sample may be far brighter than its pixel.

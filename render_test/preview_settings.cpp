@@ -19,6 +19,7 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
     set(out.render.seed,
         render.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     set(out.render.path.max_depth, render.integer("max_depth", 1, 10000));
+    set(out.regularisation, render.number("regularisation", 0, 1));
     set(out.background, colour_value(render, "background", 1e6));
     set(out.least_width, render.number("min_width_pixels", 0, 10));
     out.shutter = render.pair("shutter");
@@ -32,6 +33,11 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
 }
 
 }  // namespace
+
+std::optional<HairLook> later_hair(const PreviewSettings& settings) {
+    if (!(settings.regularisation > 0)) return std::nullopt;
+    return HairLook(settings.hair, settings.regularisation);
+}
 
 bool is_shutter(const Vec2& shutter) {
     // Written so that a NaN is none.

@@ -15,12 +15,17 @@ struct PreviewSettings {
     RenderSettings render;
     CameraSettings camera;
     float least_width = 0;         ///< pixels that a strand is drawn wide at least
+    float regularisation = 0.5f;   ///< roughness of hair after a path's first scattering,
+                                   ///< at least; 0: as the material is
     std::optional<Lights> lights;  ///< none: the default rig
     std::optional<Vec2> shutter;   ///< frames after the frame, opens <= closes; none: the
                                    ///< frame as it is, without motion blur
     int motion_samples = 3;        ///< times in the shutter, 2 to kMostSceneTimes
     Vec3f background = Vec3f::Constant(0.18f);  ///< linear, behind a PNG
 };
+
+/// What RenderScene's later_hair is by these settings.
+std::optional<HairLook> later_hair(const PreviewSettings& settings);
 
 /// Whether a shutter may be: within a thousand frames, and not closed before it opens.
 bool is_shutter(const Vec2& shutter);

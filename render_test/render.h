@@ -17,12 +17,23 @@ struct RenderSettings {
     PathSettings path;
 };
 
+struct RenderProgress {
+    double done = 0;         ///< share, 0..1
+    std::uint64_t rays = 0;  ///< traced so far, shadow rays too
+};
+using ProgressFunction = std::function<void(const RenderProgress&)>;
+
 /// Renders on all threads; the same bits for any number of them. `progress`, where given,
-/// is called with the share done, 0..1, from any thread but one at a time. Throws
-/// std::invalid_argument where a setting is out of its range, std::runtime_error where a
-/// pixel is not a finite number.
+/// is called from any thread but one at a time. Throws std::invalid_argument where a
+/// setting is out of its range, std::runtime_error where a pixel is not a finite number.
 Image render(const RenderScene& scene, const Camera& camera,
-             const RenderSettings& settings,
-             const std::function<void(double done)>& progress = {});
+             const RenderSettings& settings, const ProgressFunction& progress = {});
+
+/// The same picture, bit for bit, shown on its way there: `show` gets the picture of one
+/// sample a pixel, then of 2, 4, 8 and so on, and the last of all `settings.samples`.
+void render_progressively(const RenderScene& scene, const Camera& camera,
+                          const RenderSettings& settings,
+                          const std::function<void(const Image&, int samples)>& show,
+                          const ProgressFunction& progress = {});
 
 }  // namespace lancret

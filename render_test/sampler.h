@@ -53,17 +53,19 @@ class Sampler {
         const std::uint64_t scramble = mix(hash, 1);
         const std::uint32_t index = reversed_bits(
             scrambled_reversed(reversed_bits(sample_), std::uint32_t(hash)));
-        // The second dimension of the sequence: Pascal's matrix modulo two.
-        std::uint32_t y = 0;
-        for (std::uint32_t i = index, column = 0x80000000u; i; i >>= 1) {
-            if (i & 1) y ^= column;
-            column ^= column >> 1;
-        }
+        // The second dimension of the sequence, its bits reversed: Pascal's matrix modulo
+        // two, whose entry (j, k) is one where j's bits are among k's, as five sums.
+        std::uint32_t y = index;
+        y ^= (y >> 1) & 0x55555555u;
+        y ^= (y >> 2) & 0x33333333u;
+        y ^= (y >> 4) & 0x0f0f0f0fu;
+        y ^= (y >> 8) & 0x00ff00ffu;
+        y ^= y >> 16;
         // The first is the index with its bits reversed: reversed again, the index.
         return {
             unit_float(reversed_bits(scrambled_reversed(index, std::uint32_t(scramble)))),
-            unit_float(reversed_bits(
-                scrambled_reversed(reversed_bits(y), std::uint32_t(scramble >> 32))))};
+            unit_float(
+                reversed_bits(scrambled_reversed(y, std::uint32_t(scramble >> 32))))};
     }
 
     /// Goes to the given pair, so that a bounce takes the same dimensions on every path.

@@ -13,10 +13,17 @@ void check_indices(const Curves& curves, const TriangleMesh* mesh) {
     if (curves.segments.size() !=
         std::size_t(curves.strands) * curves.segments_per_strand)
         throw std::invalid_argument("strands times segments a strand is not the count");
-    for (const std::uint32_t first : curves.segments.span())
-        if (first + reach > curves.points.size())
-            throw std::invalid_argument(
-                "a strand segment points past the control points");
+    std::size_t segment = 0;
+    for (std::size_t i = 0; i < curves.strands; ++i)
+        for (std::size_t j = 0; j < curves.segments_per_strand; ++j) {
+            const std::size_t first = curves.segments[segment++];
+            if (first + reach > curves.points.size())
+                throw std::invalid_argument(
+                    "a strand segment points past the control points");
+            if (first != i * curves.points_per_strand + j)
+                throw std::invalid_argument(
+                    "a strand's segments follow each other, as its points do");
+        }
     if (!mesh) return;
     if (!mesh->uvs.empty() && mesh->uvs.size() != mesh->triangles.size())
         throw std::invalid_argument("a mesh needs UVs for every triangle or for none");

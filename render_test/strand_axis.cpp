@@ -12,7 +12,10 @@ Eigen::Map<const Vec4f, Eigen::Aligned16> as_vector(const Point4f& p) {
 }  // namespace
 
 AxisPoint axis_point(const Curves& curves, std::uint32_t segment, float u) {
-    const std::uint32_t first = curves.segments[segment];
+    // By counting and not from `segments`: that would be one more wait for memory.
+    const std::uint32_t strand = curves.strand_of(segment);
+    const std::uint32_t first = strand * curves.points_per_strand +
+                                (segment - strand * curves.segments_per_strand);
     const float t = 1 - u;
     if (curves.basis == CurveBasis::bspline) {
         const Point4f* p = curves.points.data() + first;

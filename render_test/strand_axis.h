@@ -13,7 +13,7 @@ struct AxisPoint {
     Eigen::Vector4f derivative;  ///< by u, cm
 };
 
-/// The axis at `u` (0..1) of a segment (counted over all strands).
+/// The axis at `u` (0..1) of a segment (counted over all strands, as Curves says).
 AxisPoint axis_point(const Curves& curves, std::uint32_t segment, float u);
 
 /// The same `share` (0..1) of the way from one time's control points to another's.

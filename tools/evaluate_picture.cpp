@@ -87,7 +87,7 @@ Image evaluation_strip(const LeaveOut& taken, const GuideProfiles<float>& profil
         const HairScene geometry(curves, view.body ? &*view.body : nullptr);
         scene.geometry = &geometry;
         put(render(scene, camera, settings,
-                   [&](double done) { progress((panel + done) / panels); }),
+                   [&](const RenderProgress& p) { progress((panel + p.done) / panels); }),
             panel * settings.width, strip);
         scene.geometry = nullptr;
         const std::string name =

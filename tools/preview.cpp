@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 
 #include "guides/errors.h"
 #include "procedural/check_figures.h"
-#include "render_test/embree_scene.h"
-#include "render_test/thin_strands.h"
 #include "tools/command.h"
 #include "tools/frames.h"
-#include "tools/progress.h"
+#include "tools/preview_picture.h"
 #include "tools/stats.h"
 
 namespace lancret {
@@ -24,15 +22,10 @@ struct PreviewOptions {
     GroomOptions groom;
     FrameOptions frames;
     std::string size, shutter, output;
-    std::optional<int> samples, motion_samples;
+    std::optional<int> samples, motion_samples, turntable;
+    std::optional<float> regularisation;
+    bool progressive = false;
 };
-
-/// What is seen of the head at that time.
-std::optional<TriangleMesh> body_of(const GroomGuides& source, const ScalpPose& pose) {
-    if (source.body) return posed_mesh(*source.body, pose);
-    if (source.scalp) return posed_mesh(source.scalp->mesh, pose);
-    return std::nullopt;
-}
 
 /// The box of the guides: what a groom means to be, whatever a stray child does.
 Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides,
@@ -49,77 +42,30 @@ Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& g
     return box;
 }
 
-/// The pictures to write, one a frame.
+/// The pictures to write: one a frame, or one a view of a turntable.
 std::vector<std::filesystem::path> outputs_of(const PreviewOptions& options,
                                               const Job& job,
                                               const ChosenFrames& chosen) {
     std::vector<std::filesystem::path> out;
     const bool several = chosen.frames.size() > 1;
+    if (options.turntable && several) {
+        throw InputError(
+            "--turntable: goes round one frame; give --frame and not --frames");
+    }
+    for (int view = 1; view <= options.turntable.value_or(0); ++view) {
+        out.push_back(picture_path(options.output, view, true));
+    }
     for (const double frame : chosen.frames) {
+        if (options.turntable) break;
         out.push_back(options.frames.given()
                           ? picture_path(options.output, frame, several)
                           : std::filesystem::path(options.output));
-        check_output(out.back(), {".exr", ".png"}, options.groom, job.groom);
-        check_output(options.groom.stats, {}, options.groom, job.groom, out.back());
+    }
+    for (const std::filesystem::path& path : out) {
+        check_output(path, {".exr", ".png"}, options.groom, job.groom);
+        check_output(options.groom.stats, {}, options.groom, job.groom, path);
     }
     return out;
-}
-
-/// What one picture cost, s and bytes.
-struct PictureCost {
-    double expand = 0, bvh = 0, render = 0;
-    std::size_t bvh_bytes = 0;
-};
-
-/// The children and the head at each time of a shutter.
-struct ShownTime {
-    Curves curves;
-    std::optional<TriangleMesh> body;
-};
-
-/// Grows the children of a frame and shows them. `scene` holds all but the geometry.
-/// `moments` are those of the picture, one without motion blur.
-PictureCost picture(Generator& generator, const RestPlaces& rest,
-                    const ChosenFrames& chosen, const std::vector<double>& times,
-                    const Job& job, const Camera& camera, RenderScene& scene,
-                    const std::string& title, const std::filesystem::path& output,
-                    std::vector<ShownTime>& moments) {
-    PictureCost cost;
-    moments.clear();
-    for (const double frame : times) {
-        const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
-        Stopwatch watch;
-        moments.push_back(
-            {expand(generator.binding, state.profiles, job.groom.expand), {}});
-        cost.expand += watch.lap();
-        moments.back().body = body_of(generator.source, state.pose);
-    }
-    std::vector<SceneTime> scene_times;
-    for (const ShownTime& m : moments) {
-        scene_times.push_back({&m.curves, m.body ? &*m.body : nullptr});
-    }
-    HairSceneOptions options;
-    std::vector<std::vector<float>> true_radii;
-    if (job.preview.least_width > 0) {
-        for (ShownTime& m : moments) {
-            true_radii.push_back(widen_thin_strands(m.curves, std::array{camera},
-                                                    job.preview.render.height,
-                                                    job.preview.least_width));
-        }
-        options.true_radii = true_radii.front();
-    }
-    const HairScene geometry(scene_times, options);
-    cost.bvh = geometry.build_seconds();
-    cost.bvh_bytes = geometry.bvh_bytes();
-    scene.geometry = &geometry;
-    Stopwatch watch;
-    ProgressBar bar(title);
-    const Image image =
-        render(scene, camera, job.preview.render, [&](double done) { bar.show(done); });
-    scene.geometry = nullptr;
-    cost.render = watch.lap();
-    write_image(output, image, job.preview.background);
-    return cost;
 }
 
 /// "0,0.5" or "-0.25,0.25". Throws InputError.
@@ -146,6 +92,7 @@ void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
         std::tie(render.width, render.height) = parse_size(options.size);
     }
     if (options.samples) render.samples = *options.samples;
+    if (options.regularisation) settings.regularisation = *options.regularisation;
     if (options.motion_samples) settings.motion_samples = *options.motion_samples;
     if (options.shutter.empty()) return;
     settings.shutter = parse_shutter(options.shutter);
@@ -166,21 +113,26 @@ int preview(const PreviewOptions& options) {
     const RestPlaces rest = prepare_frames(generator, chosen, job);
     const Vec3f up = job.groom.scene.up.cast<float>();
     // The camera looks at the rest pose and stays there, whatever frame is shown.
-    const Camera camera = preview_camera(
-        job.preview,
-        extent(generator.profiles, generator.source.guides, job.groom.bind.length_scale),
-        up);
+    const Eigen::AlignedBox3f box =
+        extent(generator.profiles, generator.source.guides, job.groom.bind.length_scale);
+    const Camera front = preview_camera(job.preview, box, up);
     RenderScene scene;
     scene.hair = HairLook(job.preview.hair);
+    scene.later_hair = later_hair(job.preview);
     scene.mesh = job.preview.mesh;
-    scene.lights =
-        job.preview.lights ? *job.preview.lights : default_lights(camera.view(), up);
+    std::vector<Camera> cameras{front};  // or one a view of a turntable
+    if (options.turntable) cameras.resize(outputs.size());
+    for (std::size_t view = 0; options.turntable && view < outputs.size(); ++view) {
+        const float step = 2 * std::numbers::pi_v<float> / float(outputs.size());
+        cameras[view] = turned(front, box.center(), up, float(view) * step);
+    }
 
     nlohmann::json stats = generator_stats(generator), frames = nlohmann::json::array();
     PictureCost total;
     std::vector<ShownTime> moments;
+    std::optional<HairScene> geometry;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        const double frame = chosen.frames[i];
+        const double frame = chosen.frames[options.turntable ? 0 : i];
         const ShutterTimes times =
             shutter_times(chosen, frame, job.preview.shutter, job.preview.motion_samples);
         if (times.cut) {
@@ -191,15 +143,29 @@ int preview(const PreviewOptions& options) {
                 frame, chosen.first(), chosen.last(), times.frames.front(),
                 times.frames.back());
         }
-        const std::string title =
-            outputs.size() == 1
-                ? "render"
-                : fmt::format("frame {} ({} of {})", frame, i + 1, outputs.size());
-        const PictureCost cost = picture(generator, rest, chosen, times.frames, job,
-                                         camera, scene, title, outputs[i], moments);
+        std::string title = "render";
+        if (options.turntable) {
+            title = fmt::format("view {} of {}", i + 1, outputs.size());
+        } else if (outputs.size() > 1) {
+            title = fmt::format("frame {} ({} of {})", frame, i + 1, outputs.size());
+        }
+        PictureCost cost;
+        // Views of a turntable share all but the camera.
+        if (!geometry || !options.turntable) {
+            geometry.reset();
+            geometry.emplace(
+                grow(generator, rest, chosen, times.frames, job, cameras, moments, cost));
+            scene.geometry = &*geometry;
+        }
+        const Camera& camera = cameras[options.turntable ? i : 0];
+        scene.lights =
+            job.preview.lights ? *job.preview.lights : default_lights(camera.view(), up);
+        shoot(scene, camera, job.preview, options.progressive, title, outputs[i], cost);
         total.expand += cost.expand;
         total.bvh += cost.bvh;
         total.render += cost.render;
+        total.rays += cost.rays;
+        if (i == 0) total.first = cost.first;
         total.bvh_bytes = std::max(total.bvh_bytes, cost.bvh_bytes);
         frames.push_back(
             {{"frame", frame_json(frame)},
@@ -209,23 +175,26 @@ int preview(const PreviewOptions& options) {
               {{"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
         fmt::print(
             "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
-            "expand {:.3f}, BVH {:.2f}, render {:.1f}; {:.0f} MB\n",
+            "expand {:.3f}, BVH {:.2f}, render {:.1f} ({:.2f} million rays/s); {:.0f} "
+            "MB\n",
             outputs[i].string(), moments[0].curves.strands,
             generator.source.guides.size(), generator.seconds.load, generator.seconds.fit,
             generator.seconds.bind, cost.expand, cost.bvh, cost.render,
-            double(peak_rss()) / 1e6);
+            1e-6 * double(cost.rays) / cost.render, double(peak_rss()) / 1e6);
         std::fflush(stdout);
     }
     add_curve_stats(stats, moments[0].curves, total.expand);
     stats["seconds"]["bvh"] = total.bvh;
     stats["seconds"]["render"] = total.render;
+    stats["seconds"]["first_picture"] = total.first;
+    stats["rays"] = total.rays;
     stats["bytes"]["bvh"] = total.bvh_bytes;
     stats["bytes"]["per_time"] =
         moments[0].curves.points.bytes() + moments[0].curves.tangents.bytes();
     stats["image"] = {{"width", settings.width},
                       {"height", settings.height},
                       {"samples", settings.samples}};
-    if (!chosen.cache.empty()) stats["frames"] = std::move(frames);
+    if (!chosen.cache.empty() || options.turntable) stats["frames"] = std::move(frames);
     write_stats(options.groom.stats, std::move(stats));
     return kFine;
 }
@@ -254,6 +223,19 @@ void add_preview(CLI::App& app, int& exit_code) {
         ->type_name("N")
         ->check(CLI::Range(2, int(kMostSceneTimes)));
     command
+        ->add_option("--regularisation", options->regularisation,
+                     "least roughness of hair after a path's first scattering: less "
+                     "noise, a little brighter; 0.5 by default, 0 for a reference")
+        ->type_name("R")
+        ->check(CLI::Range(0.0, 1.0));
+    command->add_flag("--progressive", options->progressive,
+                      "write the picture at 1, 2, 4, ... samples a pixel");
+    command
+        ->add_option("--turntable", options->turntable,
+                     "views evenly round the groom, grown once; numbers the pictures")
+        ->type_name("N")
+        ->check(CLI::Range(2, 100000));
+    command
         ->add_option("-o,--output", options->output,
                      "the picture: .exr or .png; of several frames, head.####.png")
         ->required()
@@ -266,6 +248,8 @@ void add_preview(CLI::App& app, int& exit_code) {
         "head.exr\n"
         "  lancret preview cache.h5 --frames 1-96 -o head.####.png\n"
         "  lancret preview cache.h5 --frame 12 --shutter 0,0.5 -o blurred.png\n"
+        "  lancret preview groom.toml --turntable 48 -o turn.####.png\n"
+        "  lancret preview groom.toml --progressive -o window.png\n"
         "  lancret preview groom.hair --guides 5% --strands 5000 --size 640x640 "
         "--samples 16 "
         "-o quick.png");

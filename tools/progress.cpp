@@ -28,7 +28,7 @@ void StageLine::clear() {
     shown_ = false;
 }
 
-void ProgressBar::show(double done) {
+void ProgressBar::show(double done, std::uint64_t rays) {
     using Seconds = std::chrono::duration<double>;
     const Clock::time_point now = Clock::now();
     const double passed = Seconds(now - start_).count();
@@ -37,9 +37,12 @@ void ProgressBar::show(double done) {
     constexpr int kWidth = 30;
     const int full = int(done * kWidth);
     const double left = done > 0 ? passed * (1 - done) / done : 0;
-    line_.show(fmt::format("{} [{}{}] {:3.0f} % {:.0f} s left", title_,
+    const std::string rate =
+        rays > 0 ? fmt::format(", {:.2f} million rays/s", 1e-6 * double(rays) / passed)
+                 : std::string();
+    line_.show(fmt::format("{} [{}{}] {:3.0f} % {:.0f} s left{}", title_,
                            std::string(full, '='), std::string(kWidth - full, ' '),
-                           100 * done, left));
+                           100 * done, left, rate));
 }
 
 }  // namespace lancret

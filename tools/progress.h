@@ -3,6 +3,7 @@
 // terminal.
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 namespace lancret {
@@ -18,13 +19,14 @@ class StageLine {
     bool shown_ = false;
 };
 
-/// A bar with the share done and the time left; appears after a second.
+/// A bar with the share done, the time left and, where any were counted, million rays a
+/// second; appears after a second.
 class ProgressBar {
   public:
     explicit ProgressBar(std::string title) : title_(std::move(title)) {}
     ~ProgressBar() { line_.clear(); }
     /// `done` in [0, 1]. One thread at a time.
-    void show(double done);
+    void show(double done, std::uint64_t rays = 0);
 
   private:
     using Clock = std::chrono::steady_clock;

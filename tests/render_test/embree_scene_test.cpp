@@ -144,6 +144,13 @@ TEST(HairScene, AnEmptySceneHasNothingToHit) {
     EXPECT_TRUE(scene.bounds().isEmpty());
 }
 
+TEST(HairScene, RefusesSegmentsOutOfTheirOrder) {
+    Curves curves = straight(0.1f);
+    ASSERT_GE(curves.segments_per_strand, 2u);
+    std::swap(curves.segments[0], curves.segments[1]);
+    EXPECT_THROW(HairScene{curves}, std::invalid_argument);
+}
+
 TEST(HairScene, RefusesIndicesOutsideTheirArrays) {
     Curves curves = straight(0.1f);
     curves.segments[3] = 4;

@@ -80,6 +80,28 @@ TEST(Environment, SampledIntegralIsTheUniformOne) {
                 0.05 * chosen.value());
 }
 
+TEST(Environment, UnevennessIsVarianceOverMeanSquare) {
+    EXPECT_EQ(Environment(Vec3f::Ones()).unevenness(), 0);
+    EXPECT_EQ(Environment().unevenness(), 0);
+    // Two halves of a sphere, of which each texel's mean takes one part of eight from the
+    // other: 7 and 1, whose mean is 4 and whose mean square 25.
+    const Environment halves(ColourMap{1, 2, {Vec3f::Constant(8), Vec3f::Zero()}});
+    EXPECT_NEAR(halves.unevenness(), 1 - 16.0 / 25, 1e-6);
+}
+
+TEST(Environment, AlongIsRadianceAndDensity) {
+    const Environment environments[] = {Environment(uneven_map()),
+                                        Environment(Vec3f(1, 2, 3))};
+    for (const Environment& environment : environments)
+        for (std::uint32_t i = 0; i < 100; ++i) {
+            const Vec3f d = uniform_sphere(Sampler(5, i, 0).next());
+            const LightSample along = environment.along(d);
+            EXPECT_EQ(along.direction, d);
+            EXPECT_EQ(along.radiance, environment.radiance(d));
+            EXPECT_EQ(along.pdf, environment.pdf(d));
+        }
+}
+
 TEST(Environment, UpAxisIsTheMapsTop) {
     ColourMap map{1, 2, {Vec3f(1, 0, 0), Vec3f(0, 1, 0)}};
     for (const Vec3f& up : {Vec3f(0, 1, 0), Vec3f(0, 0, 1), Vec3f(0, -1, 0)}) {

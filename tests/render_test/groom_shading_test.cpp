@@ -48,7 +48,9 @@ Mean shown(float x, int channel, bool lid) {
         Ray ray;
         ray.origin = Vec3f(x, 0, 10);
         ray.direction = -Vec3f::UnitZ();
-        mean.add(trace_path(scene, settings, ray, sampler).radiance[channel]);
+        const PathResult path = trace_path(scene, settings, ray, sampler);
+        EXPECT_EQ(path.rays, 2u);  // to the strand, and on to the light
+        mean.add(path.radiance[channel]);
     }
     return mean;
 }

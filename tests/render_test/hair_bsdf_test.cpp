@@ -256,5 +256,17 @@ TEST(HairColour, RefusesWhatIsOutOfRange) {
     EXPECT_THROW(HairModel{m}, std::invalid_argument);
 }
 
+TEST(HairMaterial, WidenedHairAbsorbsAsBefore) {
+    HairMaterial m;
+    m.colour = Vec3f(0.6f, 0.3f, 0.1f);
+    m.beta_m = 0.2f, m.beta_n = 0.7f;
+    const HairMaterial wide = widened(m, 0.5f);
+    EXPECT_EQ(wide.beta_m, 0.5f);
+    EXPECT_EQ(wide.beta_n, 0.7f);
+    // The absorption of a colour depends on beta_n: it stays that of the material.
+    EXPECT_EQ(sigma_a_of(wide), sigma_a_of(m));
+    EXPECT_EQ(sigma_a_of(widened(m, 0.9f)), sigma_a_of(m));
+}
+
 }  // namespace
 }  // namespace lancret

@@ -13,7 +13,7 @@ TEST(HairLook, WithoutVariationEveryStrandIsTheMaterial) {
     const HairModel model(material);
     for (const std::uint32_t strand : {0u, 1u, 77u}) {
         EXPECT_EQ(look.sigma_a(strand, 0.3f), model.sigma_a);
-        EXPECT_EQ(look.model(strand).lobes[0].variance, model.lobes[0].variance);
+        EXPECT_EQ(look.model(strand).variance[0], model.variance[0]);
     }
 }
 
@@ -41,12 +41,11 @@ TEST(HairLook, RoughnessVariesWithinItsShareAndApartFromMelanin) {
     const HairLook look(material);
     HairMaterial low = material, high = material;
     low.beta_m *= 0.5f, high.beta_m *= 1.5f;
-    const float least = HairModel(low).lobes[0].variance,
-                most = HairModel(high).lobes[0].variance;
+    const float least = HairModel(low).variance[0], most = HairModel(high).variance[0];
     float smallest = most, largest = least;
     Mean together, v, m;
     for (std::uint32_t strand = 0; strand < 20000; ++strand) {
-        const float variance = look.model(strand).lobes[0].variance;
+        const float variance = look.model(strand).variance[0];
         ASSERT_GE(variance, least);
         ASSERT_LE(variance, most);
         smallest = std::min(smallest, variance);
@@ -75,6 +74,31 @@ TEST(HairLook, EndsShowTheirColoursAndAbsorptionIsLinearBetween) {
     material.tip_colour.reset();
     // Two roundings of numbers below 2.
     EXPECT_LT((HairLook(material).sigma_a(5, 1) - sigma_a_of(material)).norm(), 5e-7f);
+}
+
+TEST(HairLook, LeastRoughnessWidensTheSmootherStrandsAndKeepsTheirAbsorption) {
+    HairMaterial material;
+    material.root_colour = Vec3f(0.2f, 0.1f, 0.05f);
+    material.roughness_variation = material.melanin_variation = 0.5f;
+    const float least = 0.35f;
+    const HairLook look(material), wide(material, least);
+    HairMaterial round = material;
+    round.beta_m = round.beta_n = least;
+    const HairModel floor(round);
+    int widened = 0;
+    for (std::uint32_t strand = 0; strand < 1000; ++strand) {
+        const HairModel &own = look.model(strand), &model = wide.model(strand);
+        // v and s grow with the roughness.
+        EXPECT_EQ(model.variance[0], std::max(own.variance[0], floor.variance[0]));
+        EXPECT_EQ(model.s, std::max(own.s, floor.s));
+        widened += model.s > own.s;
+        // Of the root's colour too, though a colour's absorption depends on beta_n.
+        EXPECT_EQ(wide.sigma_a(strand, 0.3f), look.sigma_a(strand, 0.3f));
+    }
+    // Of 17 roughnesses from 0.15 to 0.45 the lower 11 are below it, the first of which
+    // half as often: 10.5 / 16 of 1000 strands, -+ 15 by the binomial.
+    EXPECT_NEAR(widened, 656, kSigmas * 15);
+    EXPECT_THROW(HairLook(material, 1.5f), std::invalid_argument);
 }
 
 TEST(HairLook, ASeedGivesOtherStrandsAndTheSameSeedTheSame) {

@@ -62,7 +62,7 @@ TEST(PathTracer, WhiteGroomOnAWhiteSphereIsAsBrightAsTheSky) {
 
 TEST(SlowPathTracer, WhiteGroomInAnEvenSkyHoldsToAThousandth) {
     const Curves curves = hairy_sphere(20000, 8, 0.01f);
-    const Mean mean = covered_radiance(furnace(curves, nullptr, 768));
+    const Mean mean = covered_radiance(furnace(curves, nullptr, 960));
     EXPECT_LT(mean.error(), 5e-4);
     EXPECT_NEAR(mean.value(), 1, kSigmas * mean.error() + 1e-5);
 }

@@ -169,6 +169,21 @@ TEST(PreviewSettings, AStopOpensTheLensAndTheTargetIsInFocus) {
               "g.toml:2: 'focus_distance' needs an 'f_stop'");
 }
 
+TEST(PreviewSettings, RegularisationIsOnUnlessSaidOtherwise) {
+    const auto later = [](std::string_view text) {
+        const TomlTable toml = TomlTable::from_text(text, "g.toml");
+        return later_hair(read_preview_settings(toml, Vec3f::UnitY()));
+    };
+    EXPECT_TRUE(later(""));
+    EXPECT_FALSE(later("[render]\nregularisation = 0\n"));
+    // N of the roughness asked for.
+    HairMaterial rough;
+    rough.beta_m = rough.beta_n = 0.75f;
+    EXPECT_EQ(later("[render]\nregularisation = 0.75\n")->model(0).s, HairModel(rough).s);
+    EXPECT_THAT(error_of("[render]\nregularisation = 1.5\n"),
+                testing::StartsWith("g.toml:2: 'regularisation'"));
+}
+
 TEST(PreviewSettings, AShutterIsTwoFramesInOrder) {
     const TomlTable toml = TomlTable::from_text(
         "[render]\nshutter = [-0.25, 0.5]\nmotion_samples = 5\n", "g.toml");

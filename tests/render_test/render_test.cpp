@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <vector>
 
 #include "tests/render_test/make_curves.h"
 
@@ -119,6 +120,55 @@ TEST(Render, BrokenStrandsNeitherCrashNorSpoilThePicture) {
     EXPECT_GT(strands, 100);
 }
 
+TEST(Render, ProgressiveEndsInTheSameBitsAfterDoublings) {
+    Groom groom;
+    groom.settings.samples = 6;
+    const Image at_once = groom.image();
+    std::vector<int> shown;
+    Image last;
+    render_progressively(groom.scene, groom.camera, groom.settings,
+                         [&](const Image& image, int samples) {
+                             shown.push_back(samples);
+                             last = image;
+                             RenderSettings so_far = groom.settings;
+                             so_far.samples = samples;
+                             const Image same = render(groom.scene, groom.camera, so_far);
+                             EXPECT_TRUE(same_bits(image.rgba, same.rgba)) << samples;
+                         });
+    EXPECT_EQ(shown, (std::vector<int>{1, 2, 4, 6}));
+    EXPECT_TRUE(same_bits(last.rgba, at_once.rgba));
+    EXPECT_TRUE(same_bits(last.depth, at_once.depth));
+    EXPECT_TRUE(same_bits(last.normal, at_once.normal));
+    EXPECT_TRUE(same_bits(last.tangent, at_once.tangent));
+    EXPECT_TRUE(same_bits(last.id, at_once.id));
+}
+
+TEST(Render, ProgressCountsTheRays) {
+    Groom groom;
+    groom.scene.lights = Lights();  // nothing shines: no shadow rays
+    groom.settings.path.max_depth = 1;
+    std::uint64_t rays = 0;
+    const Image image =
+        render(groom.scene, groom.camera, groom.settings,
+               [&](const RenderProgress& progress) { rays = progress.rays; });
+    // One from the camera and one more of every path that met something.
+    double paths = 50 * 41 * 4;
+    for (const Eigen::Vector4f& pixel : image.rgba) paths += 4 * double(pixel.w());
+    // A Lambert direction of density zero would end a path early: none is drawn here.
+    EXPECT_EQ(double(rays), paths);
+}
+
+TEST(Render, WiderLaterHairLeavesTheFirstScatteringAsItIs) {
+    Groom groom;
+    const Image plain = groom.image();
+    groom.scene.later_hair = HairModel(widened(HairMaterial{}, 0.5f));
+    EXPECT_FALSE(same_bits(plain.rgba, groom.image().rgba));
+    groom.settings.path.max_depth = 1;
+    const Image wide = groom.image();
+    groom.scene.later_hair.reset();
+    EXPECT_TRUE(same_bits(wide.rgba, groom.image().rgba));
+}
+
 TEST(Render, EnvironmentIsShownOnRequestAndThenCoversAll) {
     Groom groom;
     groom.scene.lights = Lights(Environment(Vec3f(0.25f, 0.5f, 0.75f)));
@@ -132,9 +182,9 @@ TEST(Render, ProgressEndsAtOneAndNeverFalls) {
     const Groom groom;
     double last = 0;
     int calls = 0;
-    render(groom.scene, groom.camera, groom.settings, [&](double done) {
-        EXPECT_GT(done, last);
-        last = done;
+    render(groom.scene, groom.camera, groom.settings, [&](const RenderProgress& p) {
+        EXPECT_GT(p.done, last);
+        last = p.done;
         ++calls;
     });
     EXPECT_EQ(last, 1);

@@ -123,6 +123,32 @@ TEST(ThinStrands, HaveLessNoiseThanStrandsMetByChance) {
     EXPECT_LT(wide.error(), narrow.error() / 2.8);
 }
 
+TEST(ThinStrands, RaysThatLookThroughThemAreCounted) {
+    Curves curves = lines(0.1f, CurveShape::flat, CurveBasis::bspline);
+    HairSceneOptions options;
+    const auto radii = widen_thin_strands(curves, std::array{made_camera()}, kHeight, 2);
+    options.true_radii = radii;
+    const HairScene geometry(curves, nullptr, options);
+    RenderScene scene;  // nothing shines: no shadow rays
+    scene.geometry = &geometry;
+    std::vector<TracedRay> record;
+    PathSettings settings;
+    settings.max_depth = 1;
+    settings.record = &record;
+    const auto rays = [&](float y) {
+        Ray ray;
+        ray.origin = Vec3f(3, y, 10);
+        ray.direction = -Vec3f::UnitZ();
+        Sampler sampler(1, 0, 0);
+        record.clear();
+        return trace_path(scene, settings, ray, sampler).rays;
+    };
+    // Between two strands. Then to a strand, on behind it, and where it scatters.
+    EXPECT_EQ(rays(3), 1u);
+    EXPECT_EQ(rays(0.15f), 3u);
+    EXPECT_EQ(record.size(), 3u);
+}
+
 TEST(ThinStrands, AWhiteGroomInAnEvenSkyIsAsBrightAsItsCoverage) {
     // By first hits, shadow and bounce rays together: radiance is coverage times the sky.
     const Curves curves = hairy_sphere(800, 8, 0.05f);

@@ -71,6 +71,51 @@ TEST(Frames, PreviewWritesEachFrameByItsNumber) {
     EXPECT_EQ(read_bytes(f / "default.png"), first);
 }
 
+TEST(Frames, ATurntableGoesRoundOneGrowth) {
+    const Bent f;
+    ASSERT_THAT(f.preview({"--frame", "12", "--turntable", "3", "-o", f.at("t.##.png"),
+                           "--stats", f.at("t.json")}),
+                works());
+    ASSERT_THAT(f.preview({"--frame", "12", "-o", f.at("front.png")}), works());
+    // The first view is that of no turntable; the others see another side.
+    EXPECT_EQ(read_bytes(f / "t.01.png"), read_bytes(f / "front.png"));
+    EXPECT_NE(read_bytes(f / "t.02.png"), read_bytes(f / "t.01.png"));
+    EXPECT_NE(read_bytes(f / "t.03.png"), read_bytes(f / "t.02.png"));
+    const auto views = json_of(f.at("t.json"))["frames"];
+    ASSERT_EQ(views.size(), 3u);
+    EXPECT_GT(views[0]["seconds"]["bvh"], 0);
+    EXPECT_EQ(views[1]["seconds"]["bvh"], 0);
+    EXPECT_EQ(views[2]["seconds"]["expand"], 0);
+    EXPECT_EQ(f.preview({"--frames", "11-13", "--turntable", "3", "-o", f.at("no.png")})
+                  .exit_code,
+              2);
+}
+
+TEST(Frames, ATurntableDrawsThinStrandsWiderInEveryView) {
+    const Bent f;
+    const std::string wide =
+        f.file("wide.toml", read_bytes(f.made) + "min_width_pixels = 2\n");
+    for (const auto& [groom, picture] :
+         {std::pair{f.made, "t.##.png"}, std::pair{wide, "w.##.png"}})
+        ASSERT_THAT(lancret({"preview", groom, "--turntable", "2", "-o", f.at(picture)}),
+                    works());
+    EXPECT_NE(read_bytes(f / "w.01.png"), read_bytes(f / "t.01.png"));
+    EXPECT_NE(read_bytes(f / "w.02.png"), read_bytes(f / "t.02.png"));
+}
+
+TEST(Frames, AProgressivePictureEndsInTheSameBytes) {
+    const Bent f;
+    ASSERT_THAT(f.preview({"--samples", "3", "-o", f.at("at_once.png")}), works());
+    ASSERT_THAT(f.preview({"--samples", "3", "--progressive", "-o", f.at("by_parts.png"),
+                           "--stats", f.at("parts.json")}),
+                works());
+    EXPECT_EQ(read_bytes(f / "by_parts.png"), read_bytes(f / "at_once.png"));
+    const auto stats = json_of(f.at("parts.json"));
+    EXPECT_GT(stats["seconds"]["first_picture"], 0);
+    EXPECT_LT(stats["seconds"]["first_picture"], stats["seconds"]["render"]);
+    EXPECT_GT(stats["rays"], 0);
+}
+
 TEST(Frames, NumbersGoWhereThePatternIs) {
     const Bent f;
     const auto writes = [&](const char* frames, const char* output, const char* file) {

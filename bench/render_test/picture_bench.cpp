@@ -1,0 +1,233 @@
+// lancret_picture_bench: from strands in memory to a picture, what it costs and how much
+// noise is left. A program of its own, for it needs a reference picture.
+
+#include <sys/resource.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <vector>
+
+#include "bench/render_test/bare_embree.h"
+#include "bench/render_test/sphere_scene.h"
+#include "procedural/stopwatch.h"
+#include "render_test/image.h"
+#include "render_test/render.h"
+#include "render_test/sampling.h"
+
+namespace lancret::bench {
+namespace {
+
+struct Options {
+    std::string scene = "A";
+    int threads = 2, tessellation = 1, reference_samples = 1024;
+    float eumelanin = 1.3f, regularisation = 0;
+    RenderSettings render;
+    bool tiles = false;
+    std::string reference, picture;
+};
+
+double user_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return double(usage.ru_utime.tv_sec) + 1e-6 * double(usage.ru_utime.tv_usec);
+}
+
+/// Of this process, bytes: "VmRSS" now, "VmHWM" the most so far.
+double memory(const std::string& field) {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with(field + ":")) return 1024 * std::stod(line.substr(6));
+    return 0;
+}
+
+/// Squares of 16 x 16 pixels, one in every 8 x 4 of them, as a render visits them: what
+/// noise and rays are measured on.
+std::vector<Eigen::Vector2i> measured_pixels() {
+    std::vector<Eigen::Vector2i> pixels;
+    for (int tile = 0; tile < 32; ++tile)
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 16; ++x)
+                pixels.emplace_back(tile % 8 * 64 + 24 + x, tile / 8 * 128 + 56 + y);
+    return pixels;
+}
+
+struct Traced {
+    Eigen::Vector4f rgba = Eigen::Vector4f::Zero();  ///< mean
+    std::uint64_t rays = 0;
+};
+
+/// A pixel as `render` makes it.
+Traced trace_pixel(const SphereScene& made, const RenderSettings& settings,
+                   const Eigen::Vector2i& pixel) {
+    Traced out;
+    for (int s = 0; s < settings.samples; ++s) {
+        Sampler sampler(settings.seed, std::uint32_t(512 * pixel.y() + pixel.x()),
+                        std::uint32_t(s));
+        const Vec2f place = (pixel.cast<float>() + sampler.next()) / 512;
+        sampler.skip_to(2);
+        const PathResult path =
+            trace_path(made.scene, settings.path, made.camera.ray(place), sampler);
+        out.rgba.head<3>() += path.radiance;
+        out.rgba.w() += path.coverage;
+        out.rays += path.rays;
+    }
+    out.rgba /= float(settings.samples);
+    return out;
+}
+
+/// Luminance and coverage of the measured pixels at many samples, without
+/// regularisation; from the file where it is there.
+std::vector<Eigen::Vector2f> reference_of(SphereScene& made, const Options& options) {
+    made.scene.later_hair.reset();
+    const auto pixels = measured_pixels();
+    std::vector<Eigen::Vector2f> out(pixels.size());
+    const auto bytes = std::streamsize(out.size() * sizeof(out[0]));
+    if (std::ifstream in(options.reference, std::ios::binary); in)
+        if (in.read(reinterpret_cast<char*>(out.data()), bytes)) return out;
+    RenderSettings many;
+    many.samples = options.reference_samples;
+    many.seed = options.render.seed + 1;
+    many.path.max_depth = options.render.path.max_depth;
+    tbb::parallel_for(std::size_t(0), pixels.size(), [&](std::size_t i) {
+        const Traced traced = trace_pixel(made, many, pixels[i]);
+        out[i] = {luminance(traced.rgba.head<3>()), traced.rgba.w()};
+    });
+    std::ofstream(options.reference, std::ios::binary)
+        .write(reinterpret_cast<const char*>(out.data()), bytes);
+    return out;
+}
+
+/// Noise: the root of the mean square of the luminance's error, over the mean luminance,
+/// of the pixels that the reference has covered by half or more.
+void print_noise(const std::vector<Eigen::Vector2f>& reference,
+                 const std::vector<Traced>& traced, double seconds) {
+    double squares = 0, sum = 0, mean = 0, count = 0;
+    for (std::size_t i = 0; i < traced.size(); ++i) {
+        if (reference[i].y() < 0.5f) continue;
+        const double got = luminance(traced[i].rgba.head<3>()), right = reference[i].x();
+        squares += (got - right) * (got - right);
+        sum += got, mean += right, count += 1;
+    }
+    const double noise = std::sqrt(squares / count) / (mean / count);
+    std::printf("noise %.4f, brightness %+.2f %%; noise^2 x CPU seconds %.4f\n", noise,
+                100 * (sum / mean - 1), noise * noise * seconds);
+}
+
+/// On one thread: noise, and how much of the time is Embree's.
+void measure(SphereScene& made, const Options& options) {
+    const auto pixels = measured_pixels();
+    std::vector<Traced> traced(pixels.size());
+    std::vector<TracedRay> rays;
+    RenderSettings settings = options.render;
+    const auto trace = [&] {
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            traced[i] = trace_pixel(made, settings, pixels[i]);
+    };
+    settings.path.record = &rays;
+    settings.samples = std::min(settings.samples, 16);
+    trace();
+    settings.path.record = nullptr;
+    const BareEmbree bare(made.curves, made.mesh, options.tessellation);
+    double ours = 0, alone = 0;
+    std::size_t met = 0;
+    for (int pass = 0; pass < 2; ++pass) {
+        double start = user_seconds();
+        trace();
+        ours += user_seconds() - start;
+        start = user_seconds();
+        met = bare.trace(rays);
+        alone += user_seconds() - start;
+    }
+    const double count = 2e-6 * double(rays.size());
+    std::printf(
+        "one thread, %.3f M rays, %.0f %% meet something: %.3f M rays/s of CPU time, "
+        "bare Embree %.3f, ratio %.3f\n",
+        1e-6 * double(rays.size()), 100.0 * double(met) / double(rays.size()),
+        count / ours, count / alone, alone / ours);
+    if (options.reference.empty()) return;
+    settings.samples = options.render.samples;
+    const double start = user_seconds();
+    trace();
+    const double seconds = user_seconds() - start;
+    print_noise(reference_of(made, options), traced, seconds);
+}
+
+/// What is known when the scene is built.
+struct Start {
+    double seconds, user, memory;
+};
+
+void render_all(const SphereScene& made, const Options& options, const Start& start) {
+    Stopwatch watch;
+    const double user_before = user_seconds();
+    std::uint64_t rays = 0;
+    const Image image = render(made.scene, made.camera, options.render,
+                               [&](const RenderProgress& p) { rays = p.rays; });
+    const double seconds = watch.lap(), user = user_seconds() - user_before;
+    std::printf(
+        "scene %s, %d threads, %d samples: total %.2f s, BVH %.2f s (%.0f MB), render "
+        "%.2f s; user BVH %.2f s, render %.2f s\n"
+        "%.2f M rays, %.1f a path, %.2f M rays/s of wall, %.3f M a second of CPU; memory "
+        "at most %.0f MB above start\n",
+        options.scene.c_str(), options.threads, options.render.samples,
+        start.seconds + seconds, start.seconds,
+        double(made.scene.geometry->bvh_bytes()) / 1e6, seconds, start.user, user,
+        1e-6 * double(rays),
+        double(rays) / (512.0 * 512.0 * double(options.render.samples)),
+        1e-6 * double(rays) / seconds, 1e-6 * double(rays) / user,
+        (memory("VmHWM") - start.memory) / 1e6);
+    if (!options.picture.empty())
+        write_image(options.picture, image, Vec3f::Constant(0.18f));
+}
+
+int run(Options& options) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                      std::size_t(options.threads));
+    SphereScene made = sphere_scene(options.scene);
+    HairMaterial material;
+    material.eumelanin = options.eumelanin;
+    made.scene.hair = HairModel(material);
+    if (options.regularisation > 0)
+        made.scene.later_hair = HairModel(widened(material, options.regularisation));
+    const double memory_before = memory("VmRSS") - double(made.curves.bytes());
+    Stopwatch watch;
+    const double user_before = user_seconds();
+    HairSceneOptions scene_options;
+    scene_options.tessellation = options.tessellation;
+    const HairScene geometry(made.curves, &made.mesh, scene_options);
+    made.scene.geometry = &geometry;
+    const Start start{watch.lap(), user_seconds() - user_before, memory_before};
+    if (!options.tiles) render_all(made, options, start);
+    measure(made, options);
+    return 0;
+}
+
+}  // namespace
+}  // namespace lancret::bench
+
+int main(int count, char** arguments) {
+    lancret::bench::Options options;
+    options.render.width = options.render.height = 512;
+    options.render.samples = 16;
+    CLI::App app("From strands in memory to a picture");
+    app.add_option("--scene", options.scene, "A or B");
+    app.add_option("--threads", options.threads);
+    app.add_option("--samples", options.render.samples);
+    app.add_option("--depth", options.render.path.max_depth, "scatterings, at most");
+    app.add_option("--roulette", options.render.path.roulette_depth);
+    app.add_option("--tessellation", options.tessellation);
+    app.add_option("--eumelanin", options.eumelanin);
+    app.add_option("--regularisation", options.regularisation,
+                   "roughness from the second vertex on, at least; 0: off");
+    app.add_option("--seed", options.render.seed);
+    app.add_option("--reference", options.reference,
+                   "file of a reference; made where it is not there");
+    app.add_flag("--tiles", options.tiles, "measure noise and rays alone");
+    app.add_option("--reference-samples", options.reference_samples);
+    app.add_option("--picture", options.picture, ".png or .exr");
+    CLI11_PARSE(app, count, arguments);
+    return lancret::bench::run(options);
+}
