@@ -71,7 +71,9 @@ struct ThirdParty {
     std::vector<std::string> headers, files;
 };
 const ThirdParty kThirdParties[] = {
-    {{"embree"}, {"render_test/embree_scene.", "guides/closest_point."}},
+    {{"embree"},
+     {"render_test/embree_scene.", "guides/closest_point.",
+      "bench/render_test/bare_embree."}},
     {{"OpenImageIO", "OpenEXR", "Imath", "Imf", "Iex"},
      {"render_test/image.", "procedural/region_map.", "tests/render_test/image_test.",
       "tests/procedural/region_map_test.", "tests/tools/good_runs_test."}},
@@ -79,7 +81,7 @@ const ThirdParty kThirdParties[] = {
     {{"tiny_obj_loader"}, {"guides/obj_file."}},
     {{"nanoflann"}, {"guides/point_tree.h"}},
     {{"toml"}, {"procedural/toml_table."}},
-    {{"CLI/"}, {"tools/"}},
+    {{"CLI/"}, {"tools/", "bench/render_test/picture_bench."}},
     {{"unsupported/"}, {"tests/"}},
     {{"gtest", "gmock"}, {"tests/"}},
     {{"benchmark/"}, {"bench/"}},
