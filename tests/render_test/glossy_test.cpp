@@ -5,6 +5,7 @@
 #include <random>
 
 #include "render_test/sampler.h"
+#include "tests/render_test/random.h"
 #include "tests/render_test/statistics.h"
 
 namespace lancret {
@@ -20,15 +21,6 @@ MeshMaterial coated(float roughness, const Vec3f& colour) {
 Vec3f viewer(float angle) {
     return {0.6f * std::sin(angle), 0.8f * std::sin(angle), std::cos(angle)};
 }
-
-struct Random {
-    std::mt19937 engine;
-    float operator()() { return unit_float(engine()); }
-    Vec2f pair() {
-        const float x = (*this)();
-        return {x, (*this)()};
-    }
-};
 
 TEST(Glossy, SampledDirectionsFollowTheDensityWithinTheUpperHalf) {
     // Samples of the coat that a facet sends downward are none: they are counted in a bin

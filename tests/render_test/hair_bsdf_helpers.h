@@ -1,9 +1,8 @@
 #pragma once
-// Materials, viewers and random numbers for tests of the hair BSDF.
-
-#include <random>
+// Materials and viewers for tests of the hair BSDF.
 
 #include "render_test/hair_bsdf.h"
+#include "tests/render_test/random.h"
 
 namespace lancret {
 
@@ -17,16 +16,6 @@ inline HairMaterial material(float beta_m, float beta_n, float tilt, float sigma
     m.sigma_a = Vec3f::Constant(sigma_a);
     return m;
 }
-
-struct Random {
-    std::mt19937 engine;
-    float operator()() { return unit_float_of(engine()); }
-    Vec2f pair() {
-        const float x = (*this)();
-        return {x, (*this)()};
-    }
-    static float unit_float_of(std::uint32_t bits) { return float(bits >> 8) * 0x1p-24f; }
-};
 
 inline std::optional<BsdfSample> draw(const HairBsdf& bsdf, Random& random) {
     const float pick = random(), azimuth = random();

@@ -6,21 +6,13 @@
 
 #include "render_test/sampler.h"
 #include "render_test/sampling.h"
+#include "tests/render_test/random.h"
 #include "tests/render_test/statistics.h"
 
 namespace lancret {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
-
-struct Random {
-    std::mt19937 engine;
-    float operator()() { return unit_float(engine()); }
-    Vec2f pair() {
-        const float x = (*this)();
-        return {x, (*this)()};
-    }
-};
 
 /// A smooth map of some contrast.
 Environment uneven_sky() {
