@@ -65,7 +65,6 @@ Environment::Environment(ColourMap map, const Vec3f& up, float rotation)
     const auto bright = [&](int x, int y) {
         return double(luminance(map_.at((x + w) % w, std::clamp(y, 0, h - 1))));
     };
-    double squares = 0;
     for (int y = 0; y < h; ++y) {
         // The mean of bilinear interpolation over a texel: 1/8, 6/8, 1/8 each way.
         for (int x = 0; x < w; ++x) {
@@ -78,11 +77,8 @@ Environment::Environment(ColourMap map, const Vec3f& up, float rotation)
             across, std::span(columns_).subspan(std::size_t(y) * (w + 1), w + 1));
         const double height = double(edges_[y] - edges_[y + 1]);
         down[y] = sum * height;
-        for (const double l : across) squares += l * l * height / (2.0 * w);
     }
-    const double mean = accumulate(down, rows_) / (2.0 * w);
-    mean_luminance_ = float(mean);
-    if (squares > 0) unevenness_ = float(std::max(0.0, 1 - mean * mean / squares));
+    accumulate(down, rows_);
 }
 
 Environment::Place Environment::place_of(const Vec3f& direction) const {

@@ -42,10 +42,6 @@ class Environment {
     LightSample sample(const Vec2f& random) const;
     /// Both along a direction, for little more than one of them.
     LightSample along(const Vec3f& direction) const;
-    float mean_luminance() const { return mean_luminance_; }  ///< over the sphere
-    /// How uneven it is, 0..1: the luminance's variance over its mean square. Of an even
-    /// sky 0, of one with a sun in it near 1. What is even is best found by scattering.
-    float unevenness() const { return unevenness_; }
 
   private:
     struct Place {
@@ -61,7 +57,6 @@ class Environment {
     std::vector<float> rows_;           ///< [height + 1] distribution of rows
     std::vector<float> columns_;        ///< [height * (width + 1)] within each row
     std::vector<float> edges_;  ///< [height + 1] cosine to the zenith, 1 down to -1
-    float mean_luminance_ = 0, unevenness_ = 0;
 };
 
 /// A smooth sky: `zenith` above, `horizon` around, `ground` below.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "render_test/light_choice.h"
 #include "render_test/sampling.h"
 
 namespace lancret {
@@ -16,26 +17,27 @@ Vec3f groom_value(const Vec3f& colour, const Vec3f& wi) {
 Vec3f groom_radiance(const RenderScene& scene, const Ray& ray, const Hit& hit,
                      Sampler& sampler, RayCounter& counter) {
     const Vec2f light_random = sampler.next(), picks = sampler.next();
-    const LightSample light = scene.lights.sample(hit.position, picks.x(), light_random);
-    if (!(light.pdf > 0)) return Vec3f::Zero();
-    Vec3f value;
-    Vec3f side = hit.facing;
-    if (hit.kind == Hit::Kind::strand) {
-        Mat3f frame;
+    Mat3f frame;
+    if (hit.kind == Hit::Kind::strand)
         frame << hit.tangent, hit.facing.cross(hit.tangent), hit.facing;
-        value = groom_value(scene.hair.colour(hit.strand, hit.along),
-                            frame.transpose() * light.direction);
-    } else {
-        side = hit.normal.dot(ray.direction) < 0 ? hit.normal : Vec3f(-hit.normal);
-        const Mat3f frame = frame_about(side);
-        value =
-            Lambert(scene.mesh, hit).evaluate(frame.transpose() * light.direction).value;
-    }
-    const Vec3f arrives = value.cwiseProduct(light.radiance) / light.pdf;
-    if (!(arrives.maxCoeff() > 0)) return Vec3f::Zero();
-    Ray shadow = ray_from(hit, side, light.direction, ray.time);
-    shadow.far = light.distance * (1 - 1e-5f);
-    return counter.occluded(shadow) ? Vec3f(kGroomShadowLight * arrives) : arrives;
+    else
+        frame = frame_about(hit.normal.dot(ray.direction) < 0 ? hit.normal
+                                                              : Vec3f(-hit.normal));
+    const auto value = [&](const Vec3f& wi) -> Vec3f {
+        if (hit.kind == Hit::Kind::mesh)
+            return Lambert(scene.mesh, hit).evaluate(wi).value;
+        return groom_value(scene.hair.colour(hit.strand, hit.along), wi);
+    };
+    const ChosenLight chosen = choose_light(
+        scene.lights, hit.position, picks.x(), light_random, [&](const LightSample& l) {
+            return Vec3f(value(frame.transpose() * l.direction).cwiseProduct(l.radiance) /
+                         l.pdf);
+        });
+    if (!(chosen.brings.maxCoeff() > 0)) return Vec3f::Zero();
+    Ray shadow = ray_from(hit, frame.col(2), chosen.light.direction, ray.time);
+    shadow.far = chosen.light.distance * (1 - 1e-5f);
+    return counter.occluded(shadow) ? Vec3f(kGroomShadowLight * chosen.brings)
+                                    : chosen.brings;
 }
 
 }  // namespace lancret

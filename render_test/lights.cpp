@@ -35,7 +35,6 @@ Disc disc_of(const DistantLight& light) {
     disc.sine2 = sine * sine;
     disc.radiance = light.irradiance / (kPi * disc.sine2);
     disc.pdf = 1 / (4 * kPi * half * half);
-    disc.share = luminance(light.irradiance);
     return disc;
 }
 
@@ -74,28 +73,7 @@ Vec3f cap_direction(const Mat3f& frame, float versine, const Vec2f& random) {
     return (frame * Vec3f(r * std::cos(phi), r * std::sin(phi), 1 - v)).normalized();
 }
 
-/// Each of the following for each shape: what a facing surface receives, about (above 0
-/// wherever anything arrives); a direction towards it; the light along a direction.
-/// An even environment counts for less: scattering finds it as well.
-float share_of(const Environment& e, const Vec3f&) {
-    return kPi * e.mean_luminance() * std::max(0.05f, e.unevenness());
-}
-
-float share_of(const Disc& disc, const Vec3f&) { return disc.share; }
-
-float share_of(const Rectangle& r, const Vec3f& from) {
-    const Vec3f apart = from - r.centre;
-    if (apart.dot(r.frame.col(2)) <= 0) return 0;
-    const float area = 4 * r.half.prod();
-    return luminance(r.radiance) * area / std::max(apart.squaredNorm(), area / kPi);
-}
-
-float share_of(const SphereLight& s, const Vec3f& from) {
-    const float r2 = s.radius * s.radius;
-    return luminance(s.radiance) * kPi * r2 /
-           std::max((s.centre - from).squaredNorm(), r2);
-}
-
+/// For each shape: a direction towards it; the light along a direction.
 LightSample sample_of(const Environment& environment, const Vec3f&, const Vec2f& random) {
     return environment.sample(random);
 }
@@ -206,33 +184,10 @@ LightSample Lights::meet(const Shape& shape, const Vec3f& from, const Vec3f& dir
     return std::visit([&](const auto& s) { return met(s, from, direction); }, shape);
 }
 
-float Lights::share(const Shape& shape, const Vec3f& from) {
-    return std::visit([&](const auto& s) { return share_of(s, from); }, shape);
-}
-
-float Lights::total_share(const Vec3f& from) const {
-    float total = 0;
-    for (const Shape& shape : shapes_) total += share(shape, from);
-    return total;
-}
-
-LightSample Lights::sample(const Vec3f& from, float pick, const Vec2f& random) const {
-    const float total = total_share(from);
-    const Shape* chosen = nullptr;
-    float chosen_share = 0, left = pick * total;
-    for (const Shape& shape : shapes_) {
-        const float own = share(shape, from);
-        if (!(own > 0)) continue;
-        chosen = &shape;
-        chosen_share = own;
-        if (left < own) break;
-        left -= own;
-    }
-    if (!chosen) return {};
-    LightSample sample = std::visit(
-        [&](const auto& shape) { return sample_of(shape, from, random); }, *chosen);
-    sample.pdf *= chosen_share / total;
-    return sample;
+LightSample Lights::sample(std::size_t light, const Vec3f& from,
+                           const Vec2f& random) const {
+    return std::visit([&](const auto& shape) { return sample_of(shape, from, random); },
+                      shapes_[light]);
 }
 
 Vec3f Lights::radiance(const Vec3f& from, const Vec3f& direction) const {

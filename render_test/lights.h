@@ -1,5 +1,5 @@
 #pragma once
-// Everything that shines: an environment and any number of other lights, sampled as one.
+// Everything that shines: an environment and any number of other lights.
 
 #include <limits>
 #include <variant>
@@ -32,9 +32,7 @@ struct SphereLight {
     Vec3f radiance = Vec3f::Ones();
 };
 
-/// The lights of a scene as one. They are seen through each other and hide nothing. A
-/// light is picked by what it sends to a surface at the place that faces it (about), so
-/// densities are those of the pick times the light's own.
+/// The lights of a scene. They are seen through each other and hide nothing.
 class Lights {
   public:
     /// Throws std::invalid_argument where a light is out of its range.
@@ -43,9 +41,12 @@ class Lights {
                     const std::vector<RectangleLight>& rectangles = {},
                     const std::vector<SphereLight>& spheres = {});
 
+    /// The environment, and after it all others.
+    std::size_t size() const { return shapes_.size(); }
+
     /// A direction from a place (cm) to one light, with that light's radiance and
-    /// density alone. `pick` chooses the light. Density 0 where none is to be had.
-    LightSample sample(const Vec3f& from, float pick, const Vec2f& random) const;
+    /// density alone. Density 0 where none is to be had.
+    LightSample sample(std::size_t light, const Vec3f& from, const Vec2f& random) const;
 
     /// The sum of what comes along a unit direction from lights up to `far` (cm; infinity
     /// for all), each light times `weight(density of sampling it so)`.
@@ -53,14 +54,11 @@ class Lights {
     Vec3f along(const Vec3f& from, const Vec3f& direction, float far,
                 const Weight& weight) const {
         Vec3f sum = Vec3f::Zero();
-        float total = -1;
         for (const Shape& shape : shapes_) {
             if (far < std::numeric_limits<float>::max() && is_far(shape)) continue;
             const LightSample met = meet(shape, from, direction);
-            if (!(met.pdf > 0) || met.distance > far) continue;
-            if (total < 0) total = total_share(from);
-            if (total > 0)
-                sum += weight(met.pdf * share(shape, from) / total) * met.radiance;
+            if (met.pdf > 0 && !(met.distance > far))
+                sum += weight(met.pdf) * met.radiance;
         }
         return sum;
     }
@@ -74,7 +72,6 @@ class Lights {
         Vec3f radiance;
         float sine2;  ///< of the angular radius, squared
         float pdf;    ///< 1 / solid angle
-        float share;  ///< irradiance, luminance
     };
     struct Rectangle {
         Vec3f centre;  ///< cm
@@ -88,8 +85,6 @@ class Lights {
     static bool is_far(const Shape& shape) { return shape.index() < 2; }
     static LightSample meet(const Shape& shape, const Vec3f& from,
                             const Vec3f& direction);
-    static float share(const Shape& shape, const Vec3f& from);
-    float total_share(const Vec3f& from) const;
 
     std::vector<Shape> shapes_;  ///< the environment first
 };

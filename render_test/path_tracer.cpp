@@ -5,6 +5,7 @@
 
 #include "render_test/glossy.h"
 #include "render_test/groom_shading.h"
+#include "render_test/light_choice.h"
 #include "render_test/sampling.h"
 
 namespace lancret {
@@ -40,6 +41,23 @@ float scattering_weight(LightSampling sampling, float bsdf_pdf, float light_pdf)
     return sampling == LightSampling::scattering ? 1.0f : 0.0f;
 }
 
+/// Adds light that arrives at `hit` without a detour.
+template <class Bsdf>
+void add_direct_light(const RenderScene& scene, LightSampling sampling, const Hit& hit,
+                      const Bsdf& bsdf, const Mat3f& frame, float pick,
+                      const Vec2f& random, Path& path) {
+    const ChosenLight chosen = choose_light(
+        scene.lights, hit.position, pick, random, [&](const LightSample& light) -> Vec3f {
+            const BsdfValue at = bsdf.evaluate(frame.transpose() * light.direction);
+            return path.throughput.cwiseProduct(at.value).cwiseProduct(light.radiance) *
+                   (light_weight(sampling, light.pdf, at.pdf) / light.pdf);
+        });
+    if (!(chosen.brings.maxCoeff() > 0)) return;
+    Ray shadow = ray_from(hit, frame.col(2), chosen.light.direction, path.ray.time);
+    shadow.far = chosen.light.distance * (1 - 1e-5f);
+    if (!path.occluded(shadow)) path.radiance += chosen.brings;
+}
+
 /// One scattering at `hit`: adds light that arrives directly and turns the ray. False
 /// where the path ends.
 template <class Bsdf>
@@ -48,22 +66,9 @@ bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& 
     const Vec2f light_random = sampler.next(), picks = sampler.next();
     const Vec2f longitude = sampler.next(), azimuth = sampler.next();
 
-    if (settings.sampling != LightSampling::scattering) {
-        const LightSample light =
-            scene.lights.sample(hit.position, picks.x(), light_random);
-        const BsdfValue at = light.pdf > 0
-                                 ? bsdf.evaluate(frame.transpose() * light.direction)
-                                 : BsdfValue{};
-        const Vec3f arrives = at.value.cwiseProduct(light.radiance);
-        if (arrives.maxCoeff() > 0) {
-            Ray shadow = ray_from(hit, frame.col(2), light.direction, path.ray.time);
-            shadow.far = light.distance * (1 - 1e-5f);
-            if (!path.occluded(shadow))
-                path.radiance +=
-                    path.throughput.cwiseProduct(arrives) *
-                    (light_weight(settings.sampling, light.pdf, at.pdf) / light.pdf);
-        }
-    }
+    if (settings.sampling != LightSampling::scattering)
+        add_direct_light(scene, settings.sampling, hit, bsdf, frame, picks.x(),
+                         light_random, path);
     const std::optional<BsdfSample> sample =
         bsdf.sample(picks.y(), azimuth.x(), longitude);
     if (!sample) return false;

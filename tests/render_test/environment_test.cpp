@@ -74,19 +74,6 @@ TEST(Environment, SampledIntegralIsTheUniformOne) {
     EXPECT_NEAR(chosen.value(), uniform.value(),
                 kSigmas * std::hypot(chosen.error(), uniform.error()));
     EXPECT_LT(chosen.error(), uniform.error() / 4);
-    // mean_luminance sums each texel's mean times its solid angle; interpolation across
-    // a texel's height is not weighted by the sine, which costs a few percent at 8 rows.
-    EXPECT_NEAR(4 * M_PI * environment.mean_luminance(), chosen.value(),
-                0.05 * chosen.value());
-}
-
-TEST(Environment, UnevennessIsVarianceOverMeanSquare) {
-    EXPECT_EQ(Environment(Vec3f::Ones()).unevenness(), 0);
-    EXPECT_EQ(Environment().unevenness(), 0);
-    // Two halves of a sphere, of which each texel's mean takes one part of eight from the
-    // other: 7 and 1, whose mean is 4 and whose mean square 25.
-    const Environment halves(ColourMap{1, 2, {Vec3f::Constant(8), Vec3f::Zero()}});
-    EXPECT_NEAR(halves.unevenness(), 1 - 16.0 / 25, 1e-6);
 }
 
 TEST(Environment, AlongIsRadianceAndDensity) {

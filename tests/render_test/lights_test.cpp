@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "render_test/light_choice.h"
 #include "render_test/sampler.h"
 #include "render_test/sampling.h"
 #include "tests/render_test/random.h"
@@ -45,11 +46,19 @@ Lights mixed() {
         {rectangle}, {{Vec3f(-2, -1, -2), 1, Vec3f(2, 2, 2)}});
 }
 
-/// The sum of all densities of sampling a direction.
+/// Each light as often as any other.
+LightSample sample_any(const Lights& lights, const Vec3f& from, Random& random) {
+    const auto light = std::size_t(random() * float(lights.size()));
+    LightSample sample = lights.sample(light, from, random.pair());
+    sample.pdf /= float(lights.size());
+    return sample;
+}
+
+/// The sum of all densities of sampling a direction so.
 float density(const Lights& lights, const Vec3f& from, const Vec3f& direction) {
     float sum = 0;
     lights.along(from, direction, kFar, [&](float pdf) {
-        sum += pdf;
+        sum += pdf / float(lights.size());
         return 0.0f;
     });
     return sum;
@@ -62,8 +71,8 @@ double sampling_chance(const Lights& lights, const Vec3f& from, unsigned seed) {
     SphereBins bins(16, 32);
     Random random{std::mt19937(seed)};
     for (int i = 0; i < kCount; ++i) {
-        const float pick = random();
-        bins.add(lights.sample(from, pick, random.pair()).direction);
+        const LightSample sample = sample_any(lights, from, random);
+        if (sample.pdf > 0) bins.add(sample.direction);
     }
     auto expected =
         bins.integrals([&](const Vec3f& d) { return density(lights, from, d); }, 24);
@@ -88,8 +97,7 @@ TEST(Lights, SamplesCarryTheRadianceDensityAndDistanceOfTheirLight) {
                                  with_sphere(Vec3f(1, 0, 0), 3)}) {
         int met = 0;
         for (int i = 0; i < 2000; ++i) {
-            const float pick = random();
-            const LightSample s = lights.sample(from, pick, random.pair());
+            const LightSample s = lights.sample(1, from, random.pair());
             ASSERT_GT(s.pdf, 0);
             // Rounding of places near 5 cm, 1e-6, over cosines and chords of 0.1 and up.
             const auto before = s.distance * 0.9999f, beyond = s.distance * 1.0001f;
@@ -113,7 +121,7 @@ TEST(Lights, DistantLightGivesItsIrradianceToASurfaceThatFacesIt) {
         const Lights lights(Environment(), {{towards, Vec3f(3, 2, 1), radius}});
         Mean mean;
         for (int i = 0; i < 20000; ++i) {
-            const LightSample s = lights.sample(Vec3f::Zero(), 0.5f, random.pair());
+            const LightSample s = lights.sample(1, Vec3f::Zero(), random.pair());
             ASSERT_GT(s.pdf, 0);
             mean.add(s.radiance.x() * s.direction.dot(towards) / s.pdf);
         }
@@ -128,8 +136,7 @@ Mean irradiance(const Lights& lights, const Vec3f& from, const Vec3f& normal,
     Random random{std::mt19937(seed)};
     Mean mean;
     for (int i = 0; i < 100000; ++i) {
-        const float pick = random();
-        const LightSample s = lights.sample(from, pick, random.pair());
+        const LightSample s = sample_any(lights, from, random);
         if (!(s.pdf > 0)) {
             mean.add(0);
             continue;
@@ -175,7 +182,7 @@ TEST(Lights, RectangleGivesItsClosedFormIrradiance) {
 TEST(Lights, RectangleIsDarkBehind) {
     const Lights lights = with_rectangle();
     const Vec3f behind = Vec3f(3, 4, 1) + Vec3f(1, 2, -0.5f);
-    EXPECT_EQ(lights.sample(behind, 0.5f, {0.5f, 0.5f}).pdf, 0);
+    EXPECT_EQ(lights.sample(1, behind, {0.5f, 0.5f}).pdf, 0);
     EXPECT_EQ(lights.radiance(behind, Vec3f(-1, -2, 0.5f).normalized()), Vec3f::Zero());
 }
 
@@ -195,9 +202,33 @@ TEST(Lights, SeveralLightsGiveTheSumOfEach) {
                 kSigmas * std::hypot(sampled.error(), uniform.error()));
 }
 
-TEST(Lights, NoLightAtAllHasNoSamples) {
+TEST(Lights, TheChosenOneStandsForTheSumOfAll) {
+    const Vec3f from(1, 1, -2), normal = Vec3f(0.3f, 0.9f, 0.1f).normalized();
+    const Lights lights = mixed();
+    const Mean each = irradiance(lights, from, normal, 14);
+    Random random{std::mt19937(15)};
+    Mean chosen;
+    for (int i = 0; i < 100000; ++i) {
+        const float pick = random();
+        chosen.add(choose_light(lights, from, pick, random.pair(),
+                                [&](const LightSample& l) -> Vec3f {
+                                    return l.radiance *
+                                           std::max(0.0f, l.direction.dot(normal)) /
+                                           l.pdf;
+                                })
+                       .brings.x());
+    }
+    EXPECT_NEAR(chosen.value(), each.value(),
+                kSigmas * std::hypot(chosen.error(), each.error()));
+    EXPECT_LT(chosen.error(), each.error() / 2);
+}
+
+TEST(Lights, NoLightAtAllBringsNone) {
     const Lights dark;
-    EXPECT_EQ(dark.sample(Vec3f::Zero(), 0.3f, {0.2f, 0.7f}).pdf, 0);
+    const ChosenLight none =
+        choose_light(dark, Vec3f::Zero(), 0.3f, {0.2f, 0.7f},
+                     [](const LightSample& l) -> Vec3f { return l.radiance / l.pdf; });
+    EXPECT_EQ(none.brings, Vec3f::Zero());
     EXPECT_EQ(dark.radiance(Vec3f::Zero(), Vec3f::UnitX()), Vec3f::Zero());
 }
 
