@@ -15,15 +15,17 @@ namespace lancret {
 inline constexpr std::uint32_t kNothingId = 0xffffffffu, kMeshId = 0xfffffffeu;
 
 /// A render with its layers, row after row from the top. Layers other than rgba are means
-/// over the samples of a pixel that hit something (zero where none did); `id` is that of
-/// the first sample.
+/// over the samples of a pixel that hit something (zero where none did), but depth is the
+/// least of them and `id` that of the first sample. Layers that nobody asked for
+/// (Channels) are empty.
 struct Image {
     int width = 0, height = 0;
-    std::vector<Eigen::Vector4f> rgba;  ///< linear, times coverage; coverage
-    std::vector<float> depth;           ///< along the direction of sight, cm
-    std::vector<Vec3f> normal;          ///< towards the viewer, world axes
-    std::vector<Vec3f> tangent;         ///< root to tip, world axes; zero on a mesh
-    std::vector<std::uint32_t> id;      ///< strand, kMeshId or kNothingId
+    std::vector<Eigen::Vector4f> rgba;      ///< linear, times coverage; coverage
+    std::vector<float> depth;               ///< nearest along the direction of sight, cm
+    std::vector<Vec3f> normal;              ///< towards the viewer, world axes
+    std::vector<Vec3f> tangent;             ///< root to tip, world axes; zero on a mesh
+    std::vector<std::uint32_t> id;          ///< strand, kMeshId or kNothingId
+    std::vector<Eigen::Vector4f> variance;  ///< of rgba, the pixel's mean (film.h)
 
     Image() = default;
     Image(int w, int h);

@@ -15,24 +15,12 @@ constexpr int kTile = 16;
 /// The pair of random dimensions for the lens, far from those of paths.
 constexpr std::uint32_t kLensPair = 0x30000;
 
-/// A picture on its way: sums over the samples so far in place of means.
-struct Film {
-    Image sums;                       ///< rgba's last is the coverage
-    std::vector<std::uint32_t> hits;  ///< [pixels] samples that met something
-    int samples = 0;
-    std::uint64_t rays = 0;
-
-    Film(int width, int height)
-        : sums(width, height), hits(std::size_t(width) * height) {}
-};
-
 /// Samples `film.samples` up to `end` of one pixel. Gives the rays traced.
 std::uint64_t sample_pixel(const RenderScene& scene, const Camera& camera,
                            const RenderSettings& settings, int x, int y, int end,
                            Film& film) {
     const std::size_t pixel = std::size_t(y) * settings.width + x;
     const Vec2f size(float(settings.width), float(settings.height));
-    Image& sums = film.sums;
     std::uint64_t rays = 0;
     for (int s = film.samples; s < end; ++s) {
         Sampler sampler(settings.seed, std::uint32_t(pixel), std::uint32_t(s));
@@ -47,22 +35,8 @@ std::uint64_t sample_pixel(const RenderScene& scene, const Camera& camera,
         // One time a path; a pixel's times are spread evenly over the shutter.
         if (scene.geometry->moves()) ray.time = sampler.next().x();
         const PathResult path = trace_path(scene, settings.path, ray, sampler);
-        sums.rgba[pixel].head<3>() += path.radiance;
-        sums.rgba[pixel].w() += path.coverage;
+        add_sample(film, pixel, s, path, ray, camera.view());
         rays += path.rays;
-        if (path.first) {
-            ++film.hits[pixel];
-            sums.depth[pixel] += path.first->distance * ray.direction.dot(camera.view());
-            sums.normal[pixel] += path.first->normal.dot(ray.direction) > 0
-                                      ? Vec3f(-path.first->normal)
-                                      : path.first->normal;
-            if (path.first->kind == Hit::Kind::strand)
-                sums.tangent[pixel] += path.first->tangent;
-        }
-        if (s > 0) continue;
-        sums.id[pixel] = !path.first                             ? kNothingId
-                         : path.first->kind == Hit::Kind::strand ? path.first->strand
-                                                                 : kMeshId;
     }
     return rays;
 }
@@ -91,21 +65,12 @@ void add_samples(const RenderScene& scene, const Camera& camera,
     film.samples = end;
 }
 
-/// The means, in place of the sums.
+/// The means of all pixels, in place of the sums.
 void finish(const RenderSettings& settings, const Film& film, Image& image) {
-    const float share = 1 / float(film.samples);
+    if (settings.channels.variance) image.variance.resize(image.rgba.size());
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
-        image.rgba[i] *= share;
-        if (!image.rgba[i].allFinite())
-            throw std::runtime_error("pixel " + std::to_string(i % settings.width) +
-                                     ", " + std::to_string(i / settings.width) +
-                                     " is not a finite number: please report this");
+        finish_pixel(film, i, film.samples, image);
         if (settings.path.show_environment) image.rgba[i].w() = 1;
-        if (film.hits[i] == 0) continue;
-        const auto hits = float(film.hits[i]);
-        image.depth[i] /= hits;
-        image.normal[i] /= hits;
-        image.tangent[i] /= hits;
     }
 }
 
@@ -118,7 +83,7 @@ Film empty_film(const RenderScene& scene, const RenderSettings& settings) {
     if (settings.samples < 1) throw std::invalid_argument("samples must be at least 1");
     if (settings.path.max_depth < 1)
         throw std::invalid_argument("max_depth must be at least 1");
-    return {settings.width, settings.height};
+    return {settings.width, settings.height, settings.channels};
 }
 
 }  // namespace
