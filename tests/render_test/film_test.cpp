@@ -18,13 +18,16 @@ PathResult path_of(float radiance, float coverage) {
     return path;
 }
 
+void add(Film& film, int before, const PathResult& path) {
+    add_sample(film, 0, before, {.path = path});
+}
+
 TEST(Film, VarianceOfTheMeanIsThatOfItsSamplesOverTheirNumber) {
     Film film(1, 1, {.variance = true});
     // Far from zero beside their spread: the sum of squares less the square of the sum
     // would leave nothing of it in a float.
     const float values[] = {1000, 1001, 1003, 1000};
-    for (int s = 0; s < 4; ++s)
-        add_sample(film, 0, s, path_of(values[s], s < 2), {}, Vec3f::UnitZ());
+    for (int s = 0; s < 4; ++s) add(film, s, path_of(values[s], s < 2));
     // Mean 1001, squares 1 + 0 + 4 + 1 = 6, over n (n - 1) = 12; coverage: mean 1/2,
     // squares 1. All sums and their differences are exact but for the quotients by 6 and
     // 12: three roundings.
@@ -37,22 +40,19 @@ TEST(Film, VarianceOfTheMeanIsThatOfItsSamplesOverTheirNumber) {
 
 TEST(Film, OneSampleHasNoVariance) {
     Film film(1, 1, {.variance = true});
-    add_sample(film, 0, 0, path_of(3, 1), {}, Vec3f::UnitZ());
+    add(film, 0, path_of(3, 1));
     EXPECT_EQ(variance_of_mean(film, 0, 1), Eigen::Vector4f::Zero());
 }
 
 TEST(Film, DepthIsTheNearest) {
     Film film(1, 1, {});
-    const float distances[] = {7, 4, 5};
+    const float depths[] = {7, 4, 5};
     for (int s = 0; s < 3; ++s) {
         PathResult path = path_of(1, 1);
         path.first = Hit{};
-        path.first->distance = distances[s];
-        Ray ray;
-        ray.direction = Vec3f(0.6f, 0, 0.8f);
-        add_sample(film, 0, s, path, ray, Vec3f::UnitZ());
+        add_sample(film, 0, s, {.path = path, .depth = depths[s]});
     }
-    EXPECT_EQ(film.sums.depth[0], 4 * 0.8f);
+    EXPECT_EQ(film.sums.depth[0], 4);
 }
 
 /// A hairy ball, and pictures of it of any seed.
