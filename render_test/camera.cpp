@@ -37,6 +37,13 @@ Ray Camera::ray(const Vec2f& place, const Vec2f& random) const {
     return ray;
 }
 
+std::optional<Vec2f> Camera::place_of(const Vec3f& point) const {
+    const Vec3f seen = frame.transpose() * (point - position);
+    if (!(seen.z() < 0)) return std::nullopt;
+    const Vec2f slope = seen.head<2>() / (-seen.z() * tangent);
+    return Vec2f((1 + slope.x() / aspect) / 2, (1 - slope.y()) / 2);
+}
+
 Camera camera_of_matrix(const Eigen::Matrix4d& to_world, float field_of_view,
                         float aspect) {
     check_lens(field_of_view, aspect);

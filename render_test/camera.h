@@ -21,6 +21,9 @@ struct Camera {
     /// The ray to the same point in focus, from a place of the lens: `random` is spread
     /// evenly over its disc. Of a pinhole, the ray above.
     Ray ray(const Vec2f& place, const Vec2f& random) const;
+    /// Where the ray from the middle of the lens shows a point of the world (cm), within
+    /// the picture or not; nothing where it is not in front of the camera.
+    std::optional<Vec2f> place_of(const Vec3f& point) const;
 };
 
 /// How a camera that frames something by itself looks at it.

@@ -1,61 +1,21 @@
 #include "render_test/image.h"
 
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfOutputFile.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
-#include <half.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <string>
 
+#include "guides/atomic_file.h"
 #include "guides/errors.h"
+#include "render_test/image_exr.h"
 
 namespace lancret {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Values of half precision stay finite: the largest half is 65504.
-half half_of(float x) { return half(std::clamp(x, -65504.0f, 65504.0f)); }
-
-void write_exr(const std::string& path, const Image& image) {
-    // Halves interleaved by layer: R G B A, N, T.
-    const std::size_t pixels = image.rgba.size();
-    constexpr std::size_t kHalves = 10;
-    std::vector<half> halves(pixels * kHalves);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        half* out = &halves[i * kHalves];
-        for (int c = 0; c < 4; ++c) out[c] = half_of(image.rgba[i][c]);
-        for (int c = 0; c < 3; ++c) out[4 + c] = half_of(image.normal[i][c]);
-        for (int c = 0; c < 3; ++c) out[7 + c] = half_of(image.tangent[i][c]);
-    }
-    Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    Imf::FrameBuffer frame;
-    const auto add = [&](const char* name, Imf::PixelType type, const void* data,
-                         std::size_t stride) {
-        header.channels().insert(name, Imf::Channel(type));
-        char* base = const_cast<char*>(static_cast<const char*>(data));
-        frame.insert(name, Imf::Slice(type, base, stride, stride * image.width));
-    };
-    const char* const names[kHalves] = {"R",   "G",   "B",   "A",   "N.X",
-                                        "N.Y", "N.Z", "T.X", "T.Y", "T.Z"};
-    for (std::size_t c = 0; c < kHalves; ++c)
-        add(names[c], Imf::HALF, halves.data() + c, kHalves * sizeof(half));
-    add("Z", Imf::FLOAT, image.depth.data(), sizeof(float));
-    add("id", Imf::UINT, image.id.data(), sizeof(std::uint32_t));
-    Imf::OutputFile file(path.c_str(), header);
-    file.setFrameBuffer(frame);
-    file.writePixels(image.height);
-}
 
 std::uint8_t byte_of(float linear) {
     return std::uint8_t(srgb_of_linear(linear) * 255 + 0.5f);
@@ -86,15 +46,6 @@ void write_png(const std::string& path, const Image& image,
         throw std::runtime_error(output->geterror());
 }
 
-/// The file that is written before it takes the place of `path`; same folder, same
-/// extension.
-fs::path beside(const fs::path& path) {
-    fs::path name = path.stem();
-    name += ".part" + std::to_string(getpid());
-    name += path.extension();
-    return path.parent_path() / name;
-}
-
 }  // namespace
 
 Image::Image(int w, int h)
@@ -112,55 +63,16 @@ void write_image(const fs::path& path, const Image& image,
     if (extension != ".exr" && extension != ".png")
         throw InputError(path.string() + ": cannot write pictures of extension '" +
                          extension + "', expected .exr or .png");
-    const fs::path part = beside(path);
+    PendingFile file(path);
     try {
         if (extension == ".exr")
-            write_exr(part.string(), image);
+            write_exr(file.temporary(), image);
         else
-            write_png(part.string(), image, background);
-        fs::rename(part, path);
+            write_png(file.temporary().string(), image, background);
     } catch (const std::exception& error) {
-        std::error_code ignored;
-        fs::remove(part, ignored);
         throw InputError(path.string() + ": cannot be written: " + error.what());
     }
-}
-
-ColourMap read_colour_map(const fs::path& path) {
-    const auto fail = [&](const std::string& why) {
-        return InputError(path.string() + ": " + why);
-    };
-    if (!fs::exists(path)) throw fail("no such picture");
-    OIIO::ImageSpec as_stored;
-    as_stored.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(path.string(), &as_stored);
-    if (!input) throw fail("not a picture that can be read: " + OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    constexpr std::int64_t kMostTexels = std::int64_t(1) << 27;
-    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
-        std::int64_t(spec.width) * spec.height > kMostTexels)
-        throw fail("a picture of " + std::to_string(spec.width) + " x " +
-                   std::to_string(spec.height) + " x " + std::to_string(spec.depth) +
-                   " with " + std::to_string(spec.nchannels) +
-                   " channels, expected a flat one of at most 2^27 texels");
-    const int channels = spec.nchannels < 3 ? 1 : 3;
-    const bool coded =
-        spec.format == OIIO::TypeDesc::UINT8 || spec.format == OIIO::TypeDesc::UINT16;
-    ColourMap map{spec.width, spec.height, {}};
-    const std::size_t size = std::size_t(map.width) * map.height;
-    std::vector<float> values(size * channels);
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data()))
-        throw fail("broken picture: " + input->geterror());
-    map.texels.resize(size);
-    for (std::size_t i = 0; i < size; ++i)
-        for (int c = 0; c < 3; ++c) {
-            const float value = values[i * channels + std::min(c, channels - 1)];
-            if (!std::isfinite(value))
-                throw fail("texel " + std::to_string(i % map.width) + ", " +
-                           std::to_string(i / map.width) + " is not a finite number");
-            map.texels[i][c] = coded ? linear_of_srgb(value) : std::max(value, 0.0f);
-        }
-    return map;
+    file.commit();
 }
 
 bool draw_text(Image& image, int x, int y, const std::string& text, int size,

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures in memory and on disk: the only file that knows OpenImageIO and OpenEXR.
+// Pictures in memory and on disk. image*.cpp alone know OpenImageIO and OpenEXR.
 
 #include <cstdint>
 #include <filesystem>
@@ -8,30 +8,37 @@
 #include <vector>
 
 #include "guides/types.h"
+#include "render_test/deep.h"
 #include "render_test/environment.h"
+#include "render_test/ranked_ids.h"
 
 namespace lancret {
 
 inline constexpr std::uint32_t kNothingId = 0xffffffffu, kMeshId = 0xfffffffeu;
 
 /// A render with its layers, row after row from the top. Layers other than rgba are means
-/// over the samples of a pixel that hit something (zero where none did); `id` is that of
-/// the first sample.
+/// over the samples of a pixel that hit something (zero where none did), but depth is the
+/// least of them and `id` that of the first sample. Layers that nobody asked for
+/// (Channels) are empty.
 struct Image {
     int width = 0, height = 0;
-    std::vector<Eigen::Vector4f> rgba;  ///< linear, times coverage; coverage
-    std::vector<float> depth;           ///< along the direction of sight, cm
-    std::vector<Vec3f> normal;          ///< towards the viewer, world axes
-    std::vector<Vec3f> tangent;         ///< root to tip, world axes; zero on a mesh
-    std::vector<std::uint32_t> id;      ///< strand, kMeshId or kNothingId
+    std::vector<Eigen::Vector4f> rgba;      ///< linear, times coverage; coverage
+    std::vector<float> depth;               ///< nearest along the direction of sight, cm
+    std::vector<Vec3f> normal;              ///< towards the viewer, world axes
+    std::vector<Vec3f> tangent;             ///< root to tip, world axes; zero on a mesh
+    std::vector<std::uint32_t> id;          ///< strand, kMeshId or kNothingId
+    std::vector<Eigen::Vector4f> variance;  ///< of rgba, the pixel's mean (film.h)
+    std::vector<Vec2f> motion;              ///< pixels, right and up (motion.h)
+    std::vector<RankedIds> objects;  ///< shares of the pixel of strands and kMeshId
+    std::vector<float> body;         ///< share of the pixel of the mesh
+    std::vector<std::vector<DeepSample>> deep;  ///< sorted by id and depth
 
     Image() = default;
     Image(int w, int h);
 };
 
 /// Writes by extension, beside and then renamed. Throws InputError that names the path.
-///   .exr  R, G, B, A (half); Z (float); N.X, N.Y, N.Z, T.X, T.Y, T.Z (half); id (uint);
-///         ZIP compression
+///   .exr  one part for each layer (image_exr.h)
 ///   .png  8 bits a channel, sRGB. With a `background` (linear) the picture is laid over
 ///         it; else it has alpha, not premultiplied.
 void write_image(const std::filesystem::path& path, const Image& image,

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render_test/embree_scene.h"
@@ -17,6 +18,8 @@ namespace lancret {
 /// What light meets. The geometry must outlive it.
 struct RenderScene {
     const HairScene* geometry = nullptr;
+    std::span<const SceneTime> times = {};  ///< that `geometry` was built of; for the
+                                            ///< motion layer alone, else empty
     HairLook hair{HairMaterial{}};
     /// Of every scattering after a path's first. Path regularisation: wider hair there
     /// leaves less noise and is a little brighter (docs/render_speed.md). None: as

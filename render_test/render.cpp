@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <mutex>
 #include <stdexcept>
-#include <string>
+#include <vector>
+
+#include "render_test/motion.h"
 
 namespace lancret {
 namespace {
@@ -15,24 +17,13 @@ constexpr int kTile = 16;
 /// The pair of random dimensions for the lens, far from those of paths.
 constexpr std::uint32_t kLensPair = 0x30000;
 
-/// A picture on its way: sums over the samples so far in place of means.
-struct Film {
-    Image sums;                       ///< rgba's last is the coverage
-    std::vector<std::uint32_t> hits;  ///< [pixels] samples that met something
-    int samples = 0;
-    std::uint64_t rays = 0;
-
-    Film(int width, int height)
-        : sums(width, height), hits(std::size_t(width) * height) {}
-};
-
-/// Samples `film.samples` up to `end` of one pixel. Gives the rays traced.
+/// Samples `film.samples` up to `end` of one pixel. Gives the rays traced. `deep` is room
+/// for deep samples, empty before and after.
 std::uint64_t sample_pixel(const RenderScene& scene, const Camera& camera,
                            const RenderSettings& settings, int x, int y, int end,
-                           Film& film) {
+                           Film& film, std::vector<DeepSample>& deep) {
     const std::size_t pixel = std::size_t(y) * settings.width + x;
     const Vec2f size(float(settings.width), float(settings.height));
-    Image& sums = film.sums;
     std::uint64_t rays = 0;
     for (int s = film.samples; s < end; ++s) {
         Sampler sampler(settings.seed, std::uint32_t(pixel), std::uint32_t(s));
@@ -47,23 +38,18 @@ std::uint64_t sample_pixel(const RenderScene& scene, const Camera& camera,
         // One time a path; a pixel's times are spread evenly over the shutter.
         if (scene.geometry->moves()) ray.time = sampler.next().x();
         const PathResult path = trace_path(scene, settings.path, ray, sampler);
-        sums.rgba[pixel].head<3>() += path.radiance;
-        sums.rgba[pixel].w() += path.coverage;
-        rays += path.rays;
+        Sighting sighting{.path = path, .direction = ray.direction};
         if (path.first) {
-            ++film.hits[pixel];
-            sums.depth[pixel] += path.first->distance * ray.direction.dot(camera.view());
-            sums.normal[pixel] += path.first->normal.dot(ray.direction) > 0
-                                      ? Vec3f(-path.first->normal)
-                                      : path.first->normal;
-            if (path.first->kind == Hit::Kind::strand)
-                sums.tangent[pixel] += path.first->tangent;
+            sighting.depth = path.first->distance * ray.direction.dot(camera.view());
+            if (settings.channels.motion)
+                sighting.motion =
+                    screen_motion(scene.times, camera, settings.height, *path.first);
         }
-        if (s > 0) continue;
-        sums.id[pixel] = !path.first                             ? kNothingId
-                         : path.first->kind == Hit::Kind::strand ? path.first->strand
-                                                                 : kMeshId;
+        add_sample(film, pixel, s, sighting);
+        if (settings.channels.deep) gather_deep(sighting, deep);
+        rays += path.rays;
     }
+    if (settings.channels.deep) add_deep(film, pixel, deep);
     return rays;
 }
 
@@ -79,9 +65,10 @@ void add_samples(const RenderScene& scene, const Camera& camera,
     tbb::parallel_for(0, across * down, [&](int tile) {
         const int x0 = tile % across * kTile, y0 = tile / across * kTile;
         std::uint64_t rays = 0;
+        std::vector<DeepSample> deep;
         for (int y = y0; y < std::min(y0 + kTile, settings.height); ++y)
             for (int x = x0; x < std::min(x0 + kTile, settings.width); ++x)
-                rays += sample_pixel(scene, camera, settings, x, y, end, film);
+                rays += sample_pixel(scene, camera, settings, x, y, end, film, deep);
         const std::lock_guard lock(mutex);
         film.rays += rays;
         const double samples =
@@ -91,25 +78,17 @@ void add_samples(const RenderScene& scene, const Camera& camera,
     film.samples = end;
 }
 
-/// The means, in place of the sums.
+/// The means of all pixels, in place of the sums.
 void finish(const RenderSettings& settings, const Film& film, Image& image) {
-    const float share = 1 / float(film.samples);
+    if (settings.channels.variance) image.variance.resize(image.rgba.size());
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
-        image.rgba[i] *= share;
-        if (!image.rgba[i].allFinite())
-            throw std::runtime_error("pixel " + std::to_string(i % settings.width) +
-                                     ", " + std::to_string(i / settings.width) +
-                                     " is not a finite number: please report this");
+        finish_pixel(film, i, film.samples, image);
         if (settings.path.show_environment) image.rgba[i].w() = 1;
-        if (film.hits[i] == 0) continue;
-        const auto hits = float(film.hits[i]);
-        image.depth[i] /= hits;
-        image.normal[i] /= hits;
-        image.tangent[i] /= hits;
     }
 }
 
-Film empty_film(const RenderScene& scene, const RenderSettings& settings) {
+Film empty_film(const RenderScene& scene, const Camera& camera,
+                const RenderSettings& settings) {
     if (!scene.geometry) throw std::invalid_argument("a render needs geometry");
     if (settings.width < 1 || settings.height < 1 || settings.width > 32768 ||
         settings.height > 32768)
@@ -118,14 +97,20 @@ Film empty_film(const RenderScene& scene, const RenderSettings& settings) {
     if (settings.samples < 1) throw std::invalid_argument("samples must be at least 1");
     if (settings.path.max_depth < 1)
         throw std::invalid_argument("max_depth must be at least 1");
-    return {settings.width, settings.height};
+    if (settings.channels.deep && settings.path.show_environment)
+        throw std::invalid_argument("deep pictures have no environment behind them");
+    Film film(settings.width, settings.height, settings.channels);
+    // Neighbouring hits of a strand that runs into the picture at up to 60 degrees are
+    // two pixels apart in depth.
+    film.deep_gap = 4 * camera.tangent / float(settings.height);
+    return film;
 }
 
 }  // namespace
 
 Image render(const RenderScene& scene, const Camera& camera,
              const RenderSettings& settings, const ProgressFunction& progress) {
-    Film film = empty_film(scene, settings);
+    Film film = empty_film(scene, camera, settings);
     add_samples(scene, camera, settings, settings.samples, film, progress);
     finish(settings, film, film.sums);
     return std::move(film.sums);
@@ -135,7 +120,7 @@ void render_progressively(const RenderScene& scene, const Camera& camera,
                           const RenderSettings& settings,
                           const std::function<void(const Image&, int samples)>& show,
                           const ProgressFunction& progress) {
-    Film film = empty_film(scene, settings);
+    Film film = empty_film(scene, camera, settings);
     Image image(settings.width, settings.height);
     for (int end = 1; film.samples < settings.samples; end *= 2) {
         end = std::min(end, settings.samples);

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "render_test/camera.h"
+#include "render_test/film.h"
 #include "render_test/image.h"
 #include "render_test/path_tracer.h"
 
@@ -15,6 +16,7 @@ struct RenderSettings {
     int samples = 64;               ///< paths a pixel, spread evenly over its square
     std::uint64_t seed = 0;
     PathSettings path;
+    Channels channels;  ///< kept beside colour, depth, normal, tangent and id
 };
 
 struct RenderProgress {

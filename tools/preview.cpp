@@ -21,10 +21,10 @@ namespace {
 struct PreviewOptions {
     GroomOptions groom;
     FrameOptions frames;
-    std::string size, shutter, output;
+    std::string size, shutter, output, deep;
     std::optional<int> samples, motion_samples, turntable;
     std::optional<float> regularisation;
-    bool progressive = false;
+    bool progressive = false, denoise = false;
 };
 
 /// The box of the guides: what a groom means to be, whatever a stray child does.
@@ -43,27 +43,37 @@ Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& g
 }
 
 /// The pictures to write: one a frame, or one a view of a turntable.
-std::vector<std::filesystem::path> outputs_of(const PreviewOptions& options,
-                                              const Job& job,
-                                              const ChosenFrames& chosen) {
-    std::vector<std::filesystem::path> out;
+std::vector<PictureFiles> outputs_of(const PreviewOptions& options, const Job& job,
+                                     const ChosenFrames& chosen) {
+    std::vector<PictureFiles> out;
     const bool several = chosen.frames.size() > 1;
     if (options.turntable && several) {
         throw InputError(
             "--turntable: goes round one frame; give --frame and not --frames");
     }
+    if (options.progressive && !options.deep.empty()) {
+        throw InputError("--deep: is written once, at the end; leave out --progressive");
+    }
+    const auto add = [&](const auto& path_of) {
+        out.push_back({path_of(options.output), options.deep.empty()
+                                                    ? std::filesystem::path()
+                                                    : path_of(options.deep)});
+    };
     for (int view = 1; view <= options.turntable.value_or(0); ++view) {
-        out.push_back(picture_path(options.output, view, true));
+        add([&](const std::string& name) { return picture_path(name, view, true); });
     }
     for (const double frame : chosen.frames) {
         if (options.turntable) break;
-        out.push_back(options.frames.given()
-                          ? picture_path(options.output, frame, several)
-                          : std::filesystem::path(options.output));
+        add([&](const std::string& name) {
+            return options.frames.given() ? picture_path(name, frame, several)
+                                          : std::filesystem::path(name);
+        });
     }
-    for (const std::filesystem::path& path : out) {
-        check_output(path, {".exr", ".png"}, options.groom, job.groom);
-        check_output(options.groom.stats, {}, options.groom, job.groom, path);
+    for (const auto& [picture, deep] : out) {
+        check_output(picture, {".exr", ".png"}, options.groom, job.groom);
+        check_output(deep, {".exr"}, options.groom, job.groom, picture);
+        check_output(options.groom.stats, {}, options.groom, job.groom, picture);
+        check_output(options.groom.stats, {}, options.groom, job.groom, deep);
     }
     return out;
 }
@@ -91,6 +101,7 @@ void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
     if (!options.size.empty()) {
         std::tie(render.width, render.height) = parse_size(options.size);
     }
+    settings.denoise = options.denoise;
     if (options.samples) render.samples = *options.samples;
     if (options.regularisation) settings.regularisation = *options.regularisation;
     if (options.motion_samples) settings.motion_samples = *options.motion_samples;
@@ -130,6 +141,7 @@ int preview(const PreviewOptions& options) {
     nlohmann::json stats = generator_stats(generator), frames = nlohmann::json::array();
     PictureCost total;
     std::vector<ShownTime> moments;
+    std::vector<SceneTime> shown;
     std::optional<HairScene> geometry;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const double frame = chosen.frames[options.turntable ? 0 : i];
@@ -156,6 +168,8 @@ int preview(const PreviewOptions& options) {
             geometry.emplace(
                 grow(generator, rest, chosen, times.frames, job, cameras, moments, cost));
             scene.geometry = &*geometry;
+            shown = scene_times(moments);
+            scene.times = shown;
         }
         const Camera& camera = cameras[options.turntable ? i : 0];
         scene.lights =
@@ -169,7 +183,7 @@ int preview(const PreviewOptions& options) {
         total.bvh_bytes = std::max(total.bvh_bytes, cost.bvh_bytes);
         frames.push_back(
             {{"frame", frame_json(frame)},
-             {"image", outputs[i].string()},
+             {"image", outputs[i].picture.string()},
              {"times", times.frames},
              {"seconds",
               {{"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
@@ -177,7 +191,7 @@ int preview(const PreviewOptions& options) {
             "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
             "expand {:.3f}, BVH {:.2f}, render {:.1f} ({:.2f} million rays/s); {:.0f} "
             "MB\n",
-            outputs[i].string(), moments[0].curves.strands,
+            outputs[i].picture.string(), moments[0].curves.strands,
             generator.source.guides.size(), generator.seconds.load, generator.seconds.fit,
             generator.seconds.bind, cost.expand, cost.bvh, cost.render,
             1e-6 * double(cost.rays) / cost.render, double(peak_rss()) / 1e6);
@@ -235,6 +249,14 @@ void add_preview(CLI::App& app, int& exit_code) {
                      "views evenly round the groom, grown once; numbers the pictures")
         ->type_name("N")
         ->check(CLI::Range(2, 100000));
+    command->add_flag("--denoise", options->denoise,
+                      "less noise of few samples, by a filter that coverage, normals, "
+                      "tangents and depth guide");
+    command
+        ->add_option("--deep", options->deep,
+                     "beside the picture a deep one (.exr): strands at their depths")
+        ->type_name("FILE")
+        ->check(not_empty());
     command
         ->add_option("-o,--output", options->output,
                      "the picture: .exr or .png; of several frames, head.####.png")

@@ -1,5 +1,7 @@
 #include "tools/preview_picture.h"
 
+#include "render_test/denoise.h"
+#include "render_test/image_exr.h"
 #include "render_test/thin_strands.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
@@ -16,6 +18,22 @@ std::optional<TriangleMesh> body_of(const GroomGuides& source, const ScalpPose& 
 }
 
 }  // namespace
+
+std::vector<SceneTime> scene_times(const std::vector<ShownTime>& moments) {
+    std::vector<SceneTime> out;
+    for (const ShownTime& m : moments) {
+        out.push_back({&m.curves, m.body ? &*m.body : nullptr});
+    }
+    return out;
+}
+
+Channels channels_of(const PictureFiles& files, bool denoise) {
+    const bool layers = files.picture.extension() == ".exr";
+    return {.variance = layers || denoise,
+            .motion = layers,
+            .mattes = layers,
+            .deep = !files.deep.empty()};
+}
 
 HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
                const std::vector<double>& times, const Job& job,
@@ -35,11 +53,7 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
                                    job.preview.render.height, job.preview.least_width);
         }
     }
-    std::vector<SceneTime> scene_times;
-    for (const ShownTime& m : moments) {
-        scene_times.push_back({&m.curves, m.body ? &*m.body : nullptr});
-    }
-    HairScene geometry(scene_times, {.true_radii = moments.front().true_radii});
+    HairScene geometry(scene_times(moments), {.true_radii = moments.front().true_radii});
     cost.bvh = geometry.build_seconds();
     cost.bvh_bytes = geometry.bvh_bytes();
     return geometry;
@@ -47,13 +61,17 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
 
 void shoot(const RenderScene& scene, const Camera& camera,
            const PreviewSettings& settings, bool progressive, const std::string& title,
-           const std::filesystem::path& output, PictureCost& cost) {
+           const PictureFiles& files, PictureCost& cost) {
     Stopwatch watch;
     cost.first = cost.render = 0;
-    const auto write = [&](const Image& image) {
+    RenderSettings render_settings = settings.render;
+    render_settings.channels = channels_of(files, settings.denoise);
+    const auto write = [&](Image image) {
+        if (settings.denoise) denoise(image);
         cost.render += watch.lap();
         if (cost.first == 0) cost.first = cost.render;
-        write_image(output, image, settings.background);
+        write_image(files.picture, image, settings.background);
+        if (!files.deep.empty()) write_deep_exr(files.deep, image);
         watch.lap();
     };
     ProgressBar bar(title);
@@ -63,10 +81,10 @@ void shoot(const RenderScene& scene, const Camera& camera,
     };
     if (progressive) {
         render_progressively(
-            scene, camera, settings.render,
+            scene, camera, render_settings,
             [&](const Image& image, int) { write(image); }, progress);
     } else {
-        write(render(scene, camera, settings.render, progress));
+        write(render(scene, camera, render_settings, progress));
     }
 }
 

@@ -21,12 +21,24 @@ struct PictureCost {
     std::size_t bvh_bytes = 0;
 };
 
+/// Where a picture goes.
+struct PictureFiles {
+    std::filesystem::path picture;
+    std::filesystem::path deep;  ///< empty: no deep picture
+};
+
 /// The children and the head at each time of a shutter.
 struct ShownTime {
     Curves curves;
     std::optional<TriangleMesh> body;
     std::vector<float> true_radii;  ///< of thin strands drawn wider, else empty
 };
+
+/// The times of a scene of these moments, which must outlive them.
+std::vector<SceneTime> scene_times(const std::vector<ShownTime>& moments);
+
+/// The layers that a picture's files hold and `denoise` needs.
+Channels channels_of(const PictureFiles& files, bool denoise);
 
 /// Grows the children at the moments of a picture, one without motion blur, and makes
 /// them ready for any number of views; `cameras` are those that a thin strand is drawn
@@ -37,10 +49,10 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
                PictureCost& cost);
 
 /// Renders and writes one picture; a progressive one again and again, the file replaced
-/// each time. Throws InputError.
+/// each time, and its deep one once. Throws InputError.
 void shoot(const RenderScene& scene, const Camera& camera,
            const PreviewSettings& settings, bool progressive, const std::string& title,
-           const std::filesystem::path& output, PictureCost& cost);
+           const PictureFiles& files, PictureCost& cost);
 
 /// The camera gone round the axis through `centre` by `angle`, radian.
 Camera turned(const Camera& camera, const Vec3f& centre, const Vec3f& up, float angle);
