@@ -31,7 +31,7 @@ void add_hit(Film& film, std::size_t pixel, const Sighting& sighting) {
 }  // namespace
 
 Film::Film(int width, int height, const Channels& channels)
-    : sums(width, height), hits(sums.rgba.size()) {
+    : sums(width, height), hits(sums.rgba.size()), samples(sums.rgba.size()) {
     const std::size_t pixels = hits.size();
     if (channels.variance) squares.resize(pixels, Eigen::Vector4f::Zero());
     if (channels.motion) sums.motion.resize(pixels, Vec2f::Zero());
@@ -39,7 +39,8 @@ Film::Film(int width, int height, const Channels& channels)
     if (channels.deep) sums.deep.resize(pixels);
 }
 
-void add_sample(Film& film, std::size_t pixel, int before, const Sighting& sighting) {
+void add_sample(Film& film, std::size_t pixel, const Sighting& sighting) {
+    const std::uint32_t before = film.samples[pixel]++;
     const PathResult& path = sighting.path;
     Eigen::Vector4f sample;
     sample << path.radiance, path.coverage;
@@ -68,20 +69,20 @@ void add_deep(Film& film, std::size_t pixel, std::vector<DeepSample>& gathered) 
     gathered.clear();
 }
 
-Eigen::Vector4f variance_of_mean(const Film& film, std::size_t pixel, int samples) {
+Eigen::Vector4f variance_of_mean(const Film& film, std::size_t pixel) {
+    const auto samples = float(film.samples[pixel]);
     if (samples < 2) return Eigen::Vector4f::Zero();
-    return film.squares[pixel] / (float(samples) * float(samples - 1));
+    return film.squares[pixel] / (samples * (samples - 1));
 }
 
-void finish_pixel(const Film& film, std::size_t pixel, int samples, Image& image) {
-    image.rgba[pixel] *= 1 / float(samples);
+void finish_pixel(const Film& film, std::size_t pixel, Image& image) {
+    const float share = 1 / float(film.samples[pixel]);
+    image.rgba[pixel] *= share;
     if (!image.rgba[pixel].allFinite())
         throw std::runtime_error("pixel " + std::to_string(pixel % image.width) + ", " +
                                  std::to_string(pixel / image.width) +
                                  " is not a finite number: please report this");
-    if (!film.squares.empty())
-        image.variance[pixel] = variance_of_mean(film, pixel, samples);
-    const float share = 1 / float(samples);
+    if (!image.variance.empty()) image.variance[pixel] = variance_of_mean(film, pixel);
     if (!image.objects.empty()) {
         image.objects[pixel].scale(share);
         image.body[pixel] *= share;

@@ -23,12 +23,12 @@ struct Channels {
 struct Film {
     Image sums;                       ///< rgba's last is the coverage; depth is the least
     std::vector<std::uint32_t> hits;  ///< [pixels] samples that met something
+    std::vector<std::uint32_t> samples;  ///< [pixels] all of them
     /// [pixels], or empty where not asked for: squared differences of the samples' rgba
     /// from their mean so far, summed.
     std::vector<Eigen::Vector4f> squares;
-    float deep_gap = 0;  ///< of merge(), a share of the depth
-    int samples = 0;     ///< that every pixel has
-    std::uint64_t rays = 0;
+    float deep_gap = 0;                 ///< of merge(), a share of the depth
+    std::uint64_t rays = 0, paths = 0;  ///< traced for all of it
 
     Film(int width, int height, const Channels& channels);
 };
@@ -41,23 +41,23 @@ struct Sighting {
     Vec2f motion = Vec2f::Zero();      ///< of the first hit, pixels
 };
 
-/// Adds to a pixel, which has `before` samples. All but deep samples, which would have
+/// Adds to a pixel. All but deep samples, which would have
 /// to be allocated for each: they are gathered for a pixel and then added.
-void add_sample(Film& film, std::size_t pixel, int before, const Sighting& sighting);
+void add_sample(Film& film, std::size_t pixel, const Sighting& sighting);
 
 /// Appends what one sample adds to its pixel's deep samples, nothing where it met none.
 void gather_deep(const Sighting& sighting, std::vector<DeepSample>& gathered);
 /// Merges `gathered` into those of a pixel and empties it.
 void add_deep(Film& film, std::size_t pixel, std::vector<DeepSample>& gathered);
 
-/// The variance of a pixel's mean after `samples`: that among its samples over their
-/// number; zero of one sample, which tells nothing. Samples of a pixel are spread more
-/// evenly than by chance, so the truth is at most this, and is less where the pixel is
-/// smooth. The film has `squares`.
-Eigen::Vector4f variance_of_mean(const Film& film, std::size_t pixel, int samples);
+/// The variance of a pixel's mean: that among its samples over their number; zero of one
+/// sample, which tells nothing. Samples of a pixel are spread more evenly than by chance,
+/// so the truth is at most this, and is less where the pixel is smooth. The film has
+/// `squares`.
+Eigen::Vector4f variance_of_mean(const Film& film, std::size_t pixel);
 
-/// The means of a pixel with `samples` in place of its sums, `image` a copy of the
-/// film's. Throws std::runtime_error where its colour is not a finite number.
-void finish_pixel(const Film& film, std::size_t pixel, int samples, Image& image);
+/// The means of a pixel in place of its sums, `image` a copy of the film's. Throws
+/// std::runtime_error where its colour is not a finite number.
+void finish_pixel(const Film& film, std::size_t pixel, Image& image);
 
 }  // namespace lancret

@@ -23,7 +23,7 @@ struct PreviewOptions {
     FrameOptions frames;
     std::string size, shutter, output, deep;
     std::optional<int> samples, motion_samples, turntable;
-    std::optional<float> regularisation;
+    std::optional<float> regularisation, noise;
     bool progressive = false, denoise = false;
 };
 
@@ -103,6 +103,10 @@ void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
     }
     settings.denoise = options.denoise;
     if (options.samples) render.samples = *options.samples;
+    if (options.noise) {
+        render.noise = *options.noise;
+        if (!options.samples) render.samples = kMostAdaptiveSamples;
+    }
     if (options.regularisation) settings.regularisation = *options.regularisation;
     if (options.motion_samples) settings.motion_samples = *options.motion_samples;
     if (options.shutter.empty()) return;
@@ -179,6 +183,7 @@ int preview(const PreviewOptions& options) {
         total.bvh += cost.bvh;
         total.render += cost.render;
         total.rays += cost.rays;
+        total.paths += cost.paths;
         if (i == 0) total.first = cost.first;
         total.bvh_bytes = std::max(total.bvh_bytes, cost.bvh_bytes);
         frames.push_back(
@@ -202,6 +207,7 @@ int preview(const PreviewOptions& options) {
     stats["seconds"]["render"] = total.render;
     stats["seconds"]["first_picture"] = total.first;
     stats["rays"] = total.rays;
+    stats["paths"] = total.paths;
     stats["bytes"]["bvh"] = total.bvh_bytes;
     stats["bytes"]["per_time"] =
         moments[0].curves.points.bytes() + moments[0].curves.tangents.bytes();
@@ -223,6 +229,12 @@ void add_preview(CLI::App& app, int& exit_code) {
     command->add_option("--samples", options->samples, "paths a pixel")
         ->type_name("N")
         ->check(CLI::Range(1, 65536));
+    command
+        ->add_option("--noise", options->noise,
+                     "render until the picture has this relative noise, each pixel with "
+                     "as many paths as it needs, at most --samples (1024 by default)")
+        ->type_name("N")
+        ->check(CLI::Range(0.001, 10.0));
     command->add_option("--size", options->size, "of the picture, pixels")
         ->type_name("WxH")
         ->check(not_empty());
@@ -272,6 +284,7 @@ void add_preview(CLI::App& app, int& exit_code) {
         "  lancret preview cache.h5 --frame 12 --shutter 0,0.5 -o blurred.png\n"
         "  lancret preview groom.toml --turntable 48 -o turn.####.png\n"
         "  lancret preview groom.toml --progressive -o window.png\n"
+        "  lancret preview groom.toml --noise 0.1 -o even.exr\n"
         "  lancret preview groom.hair --guides 5% --strands 5000 --size 640x640 "
         "--samples 16 "
         "-o quick.png");

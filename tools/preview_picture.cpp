@@ -77,6 +77,7 @@ void shoot(const RenderScene& scene, const Camera& camera,
     ProgressBar bar(title);
     const auto progress = [&](const RenderProgress& p) {
         cost.rays = p.rays;
+        cost.paths = p.paths;
         bar.show(p.done, p.rays);
     };
     if (progressive) {

@@ -17,7 +17,7 @@ namespace lancret {
 struct PictureCost {
     double expand = 0, bvh = 0, render = 0;
     double first = 0;  ///< of `render`, until the first picture was there
-    std::uint64_t rays = 0;
+    std::uint64_t rays = 0, paths = 0;
     std::size_t bvh_bytes = 0;
 };
 

@@ -103,11 +103,11 @@ std::vector<Eigen::Vector2f> reference_of(SphereScene& made, const Options& opti
 /// Noise: the root of the mean square of the luminance's error, over the mean luminance,
 /// of the pixels that the reference has covered by half or more.
 void print_noise(const std::vector<Eigen::Vector2f>& reference,
-                 const std::vector<Traced>& traced, double seconds) {
+                 const std::vector<Eigen::Vector4f>& rgba, double seconds) {
     double squares = 0, sum = 0, mean = 0, count = 0;
-    for (std::size_t i = 0; i < traced.size(); ++i) {
+    for (std::size_t i = 0; i < rgba.size(); ++i) {
         if (reference[i].y() < 0.5f) continue;
-        const double got = luminance(traced[i].rgba.head<3>()), right = reference[i].x();
+        const double got = luminance(rgba[i].head<3>()), right = reference[i].x();
         squares += (got - right) * (got - right);
         sum += got, mean += right, count += 1;
     }
@@ -152,7 +152,9 @@ void measure(SphereScene& made, const Options& options) {
     const double start = user_seconds();
     trace();
     const double seconds = user_seconds() - start;
-    print_noise(reference_of(made, options), traced, seconds);
+    std::vector<Eigen::Vector4f> rgba;
+    for (const Traced& t : traced) rgba.push_back(t.rgba);
+    print_noise(reference_of(made, options), rgba, seconds);
 }
 
 /// What is known when the scene is built.
@@ -160,25 +162,30 @@ struct Start {
     double seconds, user, memory;
 };
 
-void render_all(const SphereScene& made, const Options& options, const Start& start) {
+void render_all(SphereScene& made, const Options& options, const Start& start) {
     Stopwatch watch;
     const double user_before = user_seconds();
-    std::uint64_t rays = 0;
-    const Image image = render(made.scene, made.camera, options.render,
-                               [&](const RenderProgress& p) { rays = p.rays; });
+    std::uint64_t rays = 0, paths = 0;
+    const Image image =
+        render(made.scene, made.camera, options.render,
+               [&](const RenderProgress& p) { rays = p.rays, paths = p.paths; });
     const double seconds = watch.lap(), user = user_seconds() - user_before;
     std::printf(
-        "scene %s, %d threads, %d samples: total %.2f s, BVH %.2f s (%.0f MB), render "
+        "scene %s, %d threads, %.2f samples: total %.2f s, BVH %.2f s (%.0f MB), render "
         "%.2f s; user BVH %.2f s, render %.2f s\n"
         "%.2f M rays, %.1f a path, %.2f M rays/s of wall, %.3f M a second of CPU; memory "
         "at most %.0f MB above start\n",
-        options.scene.c_str(), options.threads, options.render.samples,
+        options.scene.c_str(), options.threads, double(paths) / (512.0 * 512.0),
         start.seconds + seconds, start.seconds,
         double(made.scene.geometry->bvh_bytes()) / 1e6, seconds, start.user, user,
-        1e-6 * double(rays),
-        double(rays) / (512.0 * 512.0 * double(options.render.samples)),
-        1e-6 * double(rays) / seconds, 1e-6 * double(rays) / user,
-        (memory("VmHWM") - start.memory) / 1e6);
+        1e-6 * double(rays), double(rays) / double(paths), 1e-6 * double(rays) / seconds,
+        1e-6 * double(rays) / user, (memory("VmHWM") - start.memory) / 1e6);
+    if (options.render.noise > 0 && !options.reference.empty()) {
+        std::vector<Eigen::Vector4f> rgba;
+        for (const Eigen::Vector2i& p : measured_pixels())
+            rgba.push_back(image.rgba[std::size_t(512) * p.y() + p.x()]);
+        print_noise(reference_of(made, options), rgba, user);
+    }
     if (!options.picture.empty())
         write_image(options.picture, image, Vec3f::Constant(0.18f));
 }
@@ -201,7 +208,7 @@ int run(Options& options) {
     made.scene.geometry = &geometry;
     const Start start{watch.lap(), user_seconds() - user_before, memory_before};
     if (!options.tiles) render_all(made, options, start);
-    measure(made, options);
+    if (!(options.render.noise > 0)) measure(made, options);
     return 0;
 }
 
@@ -222,6 +229,8 @@ int main(int count, char** arguments) {
     app.add_option("--eumelanin", options.eumelanin);
     app.add_option("--regularisation", options.regularisation,
                    "roughness from the second vertex on, at least; 0: off");
+    app.add_option("--noise", options.render.noise,
+                   "of the whole picture, with at most --samples; 0: all have them");
     app.add_option("--seed", options.render.seed);
     app.add_option("--reference", options.reference,
                    "file of a reference; made where it is not there");

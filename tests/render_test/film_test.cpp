@@ -18,8 +18,8 @@ PathResult path_of(float radiance, float coverage) {
     return path;
 }
 
-void add(Film& film, int before, const PathResult& path) {
-    add_sample(film, 0, before, {.path = path});
+void add(Film& film, const PathResult& path) {
+    add_sample(film, 0, {.path = path});
 }
 
 TEST(Film, VarianceOfTheMeanIsThatOfItsSamplesOverTheirNumber) {
@@ -27,11 +27,11 @@ TEST(Film, VarianceOfTheMeanIsThatOfItsSamplesOverTheirNumber) {
     // Far from zero beside their spread: the sum of squares less the square of the sum
     // would leave nothing of it in a float.
     const float values[] = {1000, 1001, 1003, 1000};
-    for (int s = 0; s < 4; ++s) add(film, s, path_of(values[s], s < 2));
+    for (int s = 0; s < 4; ++s) add(film, path_of(values[s], s < 2));
     // Mean 1001, squares 1 + 0 + 4 + 1 = 6, over n (n - 1) = 12; coverage: mean 1/2,
     // squares 1. All sums and their differences are exact but for the quotients by 6 and
     // 12: three roundings.
-    const Eigen::Vector4f variance = variance_of_mean(film, 0, 4);
+    const Eigen::Vector4f variance = variance_of_mean(film, 0);
     EXPECT_NEAR(variance.x(), 0.5f, 3 * 6e-8f * 0.5f);
     EXPECT_NEAR(variance.y(), 2.0f, 3 * 6e-8f * 2.0f);
     EXPECT_EQ(variance.z(), 0);
@@ -40,17 +40,17 @@ TEST(Film, VarianceOfTheMeanIsThatOfItsSamplesOverTheirNumber) {
 
 TEST(Film, OneSampleHasNoVariance) {
     Film film(1, 1, {.variance = true});
-    add(film, 0, path_of(3, 1));
-    EXPECT_EQ(variance_of_mean(film, 0, 1), Eigen::Vector4f::Zero());
+    add(film, path_of(3, 1));
+    EXPECT_EQ(variance_of_mean(film, 0), Eigen::Vector4f::Zero());
 }
 
 TEST(Film, DepthIsTheNearest) {
     Film film(1, 1, {});
     const float depths[] = {7, 4, 5};
-    for (int s = 0; s < 3; ++s) {
+    for (const float depth : depths) {
         PathResult path = path_of(1, 1);
         path.first = Hit{};
-        add_sample(film, 0, s, {.path = path, .depth = depths[s]});
+        add_sample(film, 0, {.path = path, .depth = depth});
     }
     EXPECT_EQ(film.sums.depth[0], 4);
 }
