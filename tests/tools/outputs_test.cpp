@@ -76,7 +76,7 @@ TEST(Output, OfAWrongExtensionIsRefusedWithTheRightOnes) {
     EXPECT_EQ(folder.files(), files);
 }
 
-TEST(Output, ADeepPictureThatCannotBeIsRefusedBeforeThePictureIsRendered) {
+TEST(Output, WhatCannotBeMadeOfAPictureIsRefusedBeforeItIsRendered) {
     const SmallGrooms folder;
     const std::size_t files = folder.files();
     const std::string flat = folder.at("flat.exr");
@@ -90,6 +90,8 @@ TEST(Output, ADeepPictureThatCannotBeIsRefusedBeforeThePictureIsRendered) {
     EXPECT_THAT(run({"--deep", folder.at("none/deep.exr")}), refuses_with("deep.exr"));
     EXPECT_THAT(run({"--deep", folder.at("deep.exr"), "--progressive"}),
                 refuses_with("--deep", "--progressive"));
+    EXPECT_THAT(run({"--denoise", "--samples", "1"}),
+                refuses_with("--denoise", "--samples 2"));
     EXPECT_EQ(folder.files(), files);
 }
 
