@@ -107,6 +107,11 @@ void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
         render.noise = *options.noise;
         if (!options.samples) render.samples = kMostAdaptiveSamples;
     }
+    if (options.denoise && render.samples < 2) {
+        throw InputError(
+            "--denoise: one sample a pixel does not tell what is noise; give --samples 2 "
+            "or more");
+    }
     if (options.regularisation) settings.regularisation = *options.regularisation;
     if (options.motion_samples) settings.motion_samples = *options.motion_samples;
     if (options.shutter.empty()) return;
@@ -285,6 +290,8 @@ void add_preview(CLI::App& app, int& exit_code) {
         "  lancret preview groom.toml --turntable 48 -o turn.####.png\n"
         "  lancret preview groom.toml --progressive -o window.png\n"
         "  lancret preview groom.toml --noise 0.1 -o even.exr\n"
+        "  lancret preview groom.toml -o head.exr --deep head_deep.exr\n"
+        "  lancret preview groom.toml --samples 8 --denoise -o draft.png\n"
         "  lancret preview groom.hair --guides 5% --strands 5000 --size 640x640 "
         "--samples 16 "
         "-o quick.png");

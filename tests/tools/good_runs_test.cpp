@@ -1,11 +1,11 @@
 // What each subcommand makes of a groom that is right: files that read back, figures that
 // are those of the groom.
 
-#include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
+#include <ImfPartType.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -91,6 +91,38 @@ TEST(Preview, ExrHasItsLayersOfTheSize) {
     }
     EXPECT_GT(of_mesh, 0u);
     EXPECT_GT(of_strands, 0u);
+}
+
+TEST(Preview, ADeepPictureLiesBesideTheFlatOneForEachFrameOrView) {
+    const SmallGrooms folder;
+    ASSERT_THAT(lancret({"preview", folder.made, "-o", folder.at("a.##.png"), "--deep",
+                         folder.at("d.##.exr"), "--turntable", "2", "--size", "16x12",
+                         "--samples", "2"}),
+                works());
+    for (const char* name : {"d.01.exr", "d.02.exr"}) {
+        const Imf::MultiPartInputFile file(folder.at(name).c_str());
+        ASSERT_EQ(file.parts(), 1);
+        EXPECT_EQ(file.header(0).type(), Imf::DEEPSCANLINE);
+        EXPECT_EQ(file.header(0).dataWindow().max, Imath::V2i(15, 11));
+    }
+}
+
+TEST(Preview, DenoisingChangesColourAndNothingElse) {
+    const SmallGrooms folder;
+    const auto picture = [&](const char* name, std::vector<std::string> more) {
+        std::vector<std::string> words{"preview",       folder.made, "-o",
+                                       folder.at(name), "--size",    "16x12",
+                                       "--samples",     "2"};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_THAT(lancret(words), works());
+        return read_colour_map(folder.at(name));
+    };
+    const ColourMap before = picture("a.png", {});
+    const ColourMap after = picture("b.png", {"--denoise"});
+    EXPECT_NE(before.texels, after.texels);
+    // The corners show the background alone.
+    for (const std::size_t corner : {0u, 15u, 11u * 16u})
+        EXPECT_EQ(before.texels[corner], after.texels[corner]);
 }
 
 TEST(Preview, StatsTellTimesCountsAndBytes) {

@@ -76,6 +76,25 @@ TEST(Output, OfAWrongExtensionIsRefusedWithTheRightOnes) {
     EXPECT_EQ(folder.files(), files);
 }
 
+TEST(Output, WhatCannotBeMadeOfAPictureIsRefusedBeforeItIsRendered) {
+    const SmallGrooms folder;
+    const std::size_t files = folder.files();
+    const std::string flat = folder.at("flat.exr");
+    const auto run = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"preview", folder.made, "-o", flat};
+        words.insert(words.end(), more.begin(), more.end());
+        return lancret(words);
+    };
+    EXPECT_THAT(run({"--deep", folder.at("deep.png")}), refuses_with("deep.png", ".exr"));
+    EXPECT_THAT(run({"--deep", flat}), refuses_with("flat.exr", "two outputs"));
+    EXPECT_THAT(run({"--deep", folder.at("none/deep.exr")}), refuses_with("deep.exr"));
+    EXPECT_THAT(run({"--deep", folder.at("deep.exr"), "--progressive"}),
+                refuses_with("--deep", "--progressive"));
+    EXPECT_THAT(run({"--denoise", "--samples", "1"}),
+                refuses_with("--denoise", "--samples 2"));
+    EXPECT_EQ(folder.files(), files);
+}
+
 TEST(Output, StaysAsItWasWhenTheRunFails) {
     const SmallGrooms folder;
     const std::string groom = folder.file("bad.hair", "HAIR and nothing");
