@@ -52,6 +52,7 @@ void write_exr(const std::string& path, const Image& image) {
         add(names[c], Imf::HALF, halves.data() + c, kHalves * sizeof(half));
     add("Z", Imf::FLOAT, image.depth.data(), sizeof(float));
     add("id", Imf::UINT, image.id.data(), sizeof(std::uint32_t));
+    if (!image.value.empty()) add("value", Imf::FLOAT, image.value.data(), sizeof(float));
     Imf::OutputFile file(path.c_str(), header);
     file.setFrameBuffer(frame);
     file.writePixels(image.height);
@@ -176,6 +177,21 @@ bool draw_text(Image& image, int x, int y, const std::string& text, int size,
         pixels.geterror();  // taken, so that it is not told later
     }
     return false;
+}
+
+Image reduced(const Image& image, int width, int height) {
+    const OIIO::ImageBuf from(
+        OIIO::ImageSpec(image.width, image.height, 4, OIIO::TypeDesc::FLOAT),
+        const_cast<Eigen::Vector4f*>(image.rgba.data()));
+    Image out;
+    out.width = width;
+    out.height = height;
+    out.rgba.resize(std::size_t(width) * height);
+    OIIO::ImageBuf to(OIIO::ImageSpec(width, height, 4, OIIO::TypeDesc::FLOAT),
+                      out.rgba.data());
+    if (!OIIO::ImageBufAlgo::resize(to, from, "box"))
+        throw std::runtime_error("a picture cannot be reduced: " + to.geterror());
+    return out;
 }
 
 float srgb_of_linear(float linear) {

@@ -24,6 +24,7 @@ struct Image {
     std::vector<Vec3f> normal;          ///< towards the viewer, world axes
     std::vector<Vec3f> tangent;         ///< root to tip, world axes; zero on a mesh
     std::vector<std::uint32_t> id;      ///< strand, kMeshId or kNothingId
+    std::vector<float> value;  ///< of a check view, at the first sample; or empty
 
     Image() = default;
     Image(int w, int h);
@@ -31,7 +32,7 @@ struct Image {
 
 /// Writes by extension, beside and then renamed. Throws InputError that names the path.
 ///   .exr  R, G, B, A (half); Z (float); N.X, N.Y, N.Z, T.X, T.Y, T.Z (half); id (uint);
-///         ZIP compression
+///         where there is one, value (float); ZIP compression
 ///   .png  8 bits a channel, sRGB. With a `background` (linear) the picture is laid over
 ///         it; else it has alpha, not premultiplied.
 void write_image(const std::filesystem::path& path, const Image& image,
@@ -46,6 +47,10 @@ ColourMap read_colour_map(const std::filesystem::path& path);
 /// written, where there is no font to do it with.
 bool draw_text(Image& image, int x, int y, const std::string& text, int size,
                const Vec3f& colour);
+
+/// The colours of the picture at another size, each of its pixels the mean of those that
+/// it stands for; no other layer.
+Image reduced(const Image& image, int width, int height);
 
 /// The sRGB code, 0..1, of a linear value; clamped.
 float srgb_of_linear(float linear);

@@ -63,6 +63,7 @@ std::uint64_t sample_pixel(const RenderScene& scene, const Camera& camera,
         sums.id[pixel] = !path.first                             ? kNothingId
                          : path.first->kind == Hit::Kind::strand ? path.first->strand
                                                                  : kMeshId;
+        if (scene.view) sums.value[pixel] = path.value;
     }
     return rays;
 }
@@ -118,7 +119,9 @@ Film empty_film(const RenderScene& scene, const RenderSettings& settings) {
     if (settings.samples < 1) throw std::invalid_argument("samples must be at least 1");
     if (settings.path.max_depth < 1)
         throw std::invalid_argument("max_depth must be at least 1");
-    return {settings.width, settings.height};
+    Film film(settings.width, settings.height);
+    if (scene.view) film.sums.value.assign(film.hits.size(), 0);
+    return film;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tools/preview_picture.h"
 
+#include "render_test/legend.h"
 #include "render_test/thin_strands.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
@@ -15,7 +16,37 @@ std::optional<TriangleMesh> body_of(const GroomGuides& source, const ScalpPose& 
     return std::nullopt;
 }
 
+bool same(const Guides& a, const Guides& b) {
+    return a.segments == b.segments && a.root_positions == b.root_positions &&
+           a.root_frames == b.root_frames && a.segment_lengths == b.segment_lengths &&
+           a.curvatures == b.curvatures;
+}
+
+bool same(const ScalpPose& a, const ScalpPose& b) {
+    if (a.index() != b.index()) return false;
+    if (const auto* mesh = std::get_if<TriangleMesh>(&a)) {
+        return mesh->positions == std::get<TriangleMesh>(b).positions;
+    }
+    const auto& x = std::get<RigidPose>(a);
+    const auto& y = std::get<RigidPose>(b);
+    return x.rotation == y.rotation && x.translation == y.translation;
+}
+
 }  // namespace
+
+bool as_before(const std::vector<ShownTime>& moments, const RestPlaces& rest,
+               const ChosenFrames& chosen, const std::vector<double>& times,
+               const Job& job) {
+    if (moments.size() != times.size()) return false;
+    for (std::size_t i = 0; i < times.size() && !chosen.cache.empty(); ++i) {
+        const ScalpPose pose = job.pose_at ? job.pose_at(times[i]) : ScalpPose();
+        if (!same(moments[i].state.pose, pose) ||
+            !same(moments[i].state.guides, guides_at(chosen, rest, job, times[i]))) {
+            return false;
+        }
+    }
+    return true;
+}
 
 HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
                const std::vector<double>& times, const Job& job,
@@ -23,12 +54,12 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
                PictureCost& cost) {
     moments.clear();
     for (const double frame : times) {
-        const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
+        FrameState state = go_to_frame(generator, rest, chosen, job, frame);
         Stopwatch watch;
-        moments.push_back(
-            {expand(generator.binding, state.profiles, job.groom.expand), {}, {}});
+        Curves curves = expand(generator.binding, state.profiles, job.groom.expand);
         cost.expand += watch.lap();
-        moments.back().body = body_of(generator.source, state.pose);
+        std::optional<TriangleMesh> body = body_of(generator.source, state.pose);
+        moments.push_back({std::move(state), std::move(curves), std::move(body), {}});
         if (job.preview.least_width > 0) {
             moments.back().true_radii =
                 widen_thin_strands(moments.back().curves, cameras,
@@ -45,15 +76,18 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
     return geometry;
 }
 
-void shoot(const RenderScene& scene, const Camera& camera,
-           const PreviewSettings& settings, bool progressive, const std::string& title,
-           const std::filesystem::path& output, PictureCost& cost) {
+Image shoot(const RenderScene& scene, const Camera& camera,
+            const PreviewSettings& settings, bool progressive, const std::string& title,
+            const std::filesystem::path& output, PictureCost& cost) {
     Stopwatch watch;
     cost.first = cost.render = 0;
+    Image out;
     const auto write = [&](const Image& image) {
         cost.render += watch.lap();
         if (cost.first == 0) cost.first = cost.render;
-        write_image(output, image, settings.background);
+        out = image;
+        if (scene.view) draw_legend(out, *scene.view);
+        write_image(output, out, settings.background);
         watch.lap();
     };
     ProgressBar bar(title);
@@ -68,6 +102,7 @@ void shoot(const RenderScene& scene, const Camera& camera,
     } else {
         write(render(scene, camera, settings.render, progress));
     }
+    return out;
 }
 
 Camera turned(const Camera& camera, const Vec3f& centre, const Vec3f& up, float angle) {
