@@ -1,6 +1,7 @@
 #pragma once
 // Figures of strands as false colours: what check measures, where a groomer can see it.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,13 @@ struct Swatch {
     Vec3f colour;
 };
 
+/// Some of a scene's strands as a scene of their own, with its mesh.
+struct StrandsApart {
+    std::vector<std::uint32_t> strands;  ///< their numbers in the whole
+    Curves curves;
+    std::optional<HairScene> scene;
+};
+
 /// One figure of a groom and how it is shown.
 struct CheckView {
     std::string title;             ///< with the unit
@@ -46,7 +54,9 @@ struct CheckView {
     StrandValues values;           ///< of the strands in the scene
     std::vector<Vec3f> colours;    ///< [strands], linear: in place of the scale; or empty
     std::vector<Swatch> swatches;  ///< for the legend of these
-    bool through_mesh = false;     ///< show what is not clean below the mesh's surface
+    /// Strands that show through all that is clean and through the mesh's surface; none:
+    /// nothing does.
+    std::shared_ptr<const StrandsApart> apart;
 };
 
 /// How bright a strand is that runs at right angles to the sight is at its middle: its
@@ -57,6 +67,12 @@ inline constexpr float kLeastShade = 0.3f;
 /// away; the mesh in dark grey. No light is traced.
 Vec3f view_radiance(const CheckView& view, const Ray& ray, const Hit& hit,
                     RayCounter& counter);
+
+/// The strands that are not clean everywhere, of those that `view` has values of. `mesh`
+/// may be null.
+std::shared_ptr<const StrandsApart> strands_apart(const CheckView& view,
+                                                  const Curves& curves,
+                                                  const TriangleMesh* mesh);
 
 /// The raw figure there; 0 on a mesh.
 float view_value(const CheckView& view, const Hit& hit);

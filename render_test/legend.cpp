@@ -56,7 +56,12 @@ void draw_scale(Image& image, const LegendLayout& at, const CheckView& view) {
         std::ranges::any_of(view.values.values, [&](float v) { return v > scale.high; });
     for (const float value : ticks(scale)) {
         const bool end = value == scale.high && more && scale.over.empty();
-        const std::string text = fmt::format("{:.3g}{}", value + 0.0f, end ? "+" : "");
+        std::string text = fmt::format("{:.3g}{}", value + 0.0f, end ? "+" : "");
+        // 1e-9, not 1e-09.
+        for (const char* sign : {"e-0", "e+0"}) {
+            const std::size_t zero = text.find(sign);
+            if (zero != std::string::npos) text.erase(zero + 2, 1);
+        }
         const int x = at.bar_x + int(scale_place(scale, value) * float(at.bar_width)) -
                       width_of(text, at.letters) / 2;
         write(image, at, std::max(x, at.bar_x), at.labels, text);

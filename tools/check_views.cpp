@@ -190,7 +190,7 @@ CheckView view_of(const ViewRequest& request, const Generator& generator,
             out.values = penetration_values(shown.curves, *shown.body);
             out.scale = size_scale(Kind::sequential, out.values.values, kOnSurface);
             out.scale.clean = kOnSurface;
-            out.through_mesh = true;
+            out.apart = strands_apart(out, shown.curves, &*shown.body);
             break;
     }
     if (request.range) {

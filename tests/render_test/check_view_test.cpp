@@ -101,8 +101,8 @@ TEST(CheckView, WhatIsBelowASurfaceShowsThroughItUnlessItIsClean) {
     Ribbon ribbon(-2);  // the ground is at -1
     const Vec3f ground = ribbon.image(0).rgba[4].head<3>();
     EXPECT_EQ(ground.x(), ground.y());  // grey
-    ribbon.view.through_mesh = true;
     ribbon.view.scale.clean = 1.5f;
+    ribbon.view.apart = strands_apart(ribbon.view, ribbon.curves, &ribbon.ground);
     EXPECT_LT((ribbon.image(-3).rgba[4].head<3>() - ground).norm(), 1e-6f);
     const Vec3f below = 0.6f * sequential_colour(2.5f / 4) + 0.4f * ground;
     EXPECT_LT((ribbon.image(2).rgba[4].head<3>() - below).norm(), kAlong);

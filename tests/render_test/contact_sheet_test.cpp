@@ -70,5 +70,24 @@ TEST(ContactSheet, APictureIsReducedToItsMeans) {
     EXPECT_NEAR(half.rgba[1].w(), (2 + 3 + 6 + 7) / 4.0f, 1e-5f);
 }
 
+TEST(DrawText, ThatLeavesThePictureIsCutAtItsEdge) {
+    Image whole(200, 60), cut(40, 60);
+    if (!draw_text(whole, 10, 30, "orthogonality", 16, Vec3f::Ones()))
+        GTEST_SKIP() << "no font here";
+    EXPECT_TRUE(draw_text(cut, 10, 30, "orthogonality", 16, Vec3f::Ones()));
+    float ink = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 40; ++x) {
+            EXPECT_EQ(cut.rgba[y * 40 + x], whole.rgba[y * 200 + x]) << x << ' ' << y;
+            ink += cut.rgba[y * 40 + x].x();
+        }
+    EXPECT_GT(ink, 10);
+    for (const auto& [x, y] : {std::pair{300, 30}, {-500, 30}, {10, -90}, {10, 400}}) {
+        const Image before = cut;
+        draw_text(cut, x, y, "orthogonality", 16, Vec3f::Ones());
+        EXPECT_EQ(cut.rgba, before.rgba) << x << ' ' << y;
+    }
+}
+
 }  // namespace
 }  // namespace lancret

@@ -247,8 +247,8 @@ TEST(StillFrames, AreGrownAndRenderedOnce) {
     for (Vec3& u : bent.curvatures) u.z() += 0.05;
     {
         FrameStore store(cache, {24, 1, folder.made}, "still", rest, true);
-        for (const Guides* frame : {&rest, &rest, &bent, &bent, &rest})
-            store.add(*frame, {});
+        for (const bool is_bent : {false, false, true, true, false})
+            store.add(is_bent ? bent : rest, {});
         store.finish();
     }
     ASSERT_THAT(lancret({"preview", cache, "--frames", "1-5", "-o", folder.at("f.#.png"),
