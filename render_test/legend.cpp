@@ -54,6 +54,7 @@ void draw_scale(Image& image, const LegendLayout& at, const CheckView& view) {
     }
     const bool more =
         std::ranges::any_of(view.values.values, [&](float v) { return v > scale.high; });
+    int free = 0;  // from here on there is room
     for (const float value : ticks(scale)) {
         const bool end = value == scale.high && more && scale.over.empty();
         std::string text = fmt::format("{:.3g}{}", value + 0.0f, end ? "+" : "");
@@ -62,9 +63,13 @@ void draw_scale(Image& image, const LegendLayout& at, const CheckView& view) {
             const std::size_t zero = text.find(sign);
             if (zero != std::string::npos) text.erase(zero + 2, 1);
         }
-        const int x = at.bar_x + int(scale_place(scale, value) * float(at.bar_width)) -
-                      width_of(text, at.letters) / 2;
-        write(image, at, std::max(x, at.bar_x), at.labels, text);
+        const int wide = width_of(text, at.letters);
+        const int middle =
+            at.bar_x + int(scale_place(scale, value) * float(at.bar_width));
+        const int x = std::max(middle - wide / 2, at.bar_x);
+        if (x < free) continue;
+        write(image, at, x, at.labels, text);
+        free = x + wide + at.letters / 2;
     }
     int x = at.bar_x + at.bar_width + 2 * at.letters;
     const auto extra = [&](const Vec3f& colour, const std::string& name) {

@@ -169,9 +169,8 @@ CheckView view_of(const ViewRequest& request, const Generator& generator,
             out.scale = size_scale(Kind::diverging, out.values.values, 0);
             break;
         case View::influence:
-            out.title = fmt::format(
-                "influence of {} guides, colours mixed by weight; most followed:",
-                profiles.size());
+            out.title = fmt::format("influence of {} guides, mixed; most followed:",
+                                    profiles.size());
             out.values = leading_guide_values(binding);
             out.colours = influence_colours(binding);
             out.swatches = frequent(out.values.values, "");
