@@ -37,6 +37,7 @@ Film::Film(int width, int height, const Channels& channels)
     if (channels.motion) sums.motion.resize(pixels, Vec2f::Zero());
     if (channels.mattes) sums.objects.resize(pixels), sums.body.resize(pixels);
     if (channels.deep) sums.deep.resize(pixels);
+    if (channels.value) sums.value.resize(pixels);
 }
 
 void add_sample(Film& film, std::size_t pixel, const Sighting& sighting) {
@@ -52,7 +53,9 @@ void add_sample(Film& film, std::size_t pixel, const Sighting& sighting) {
         film.squares[pixel] += (n * sample - sum).cwiseAbs2() / (n * float(before));
     }
     if (path.first) add_hit(film, pixel, sighting);
-    if (before == 0) film.sums.id[pixel] = id_of(path);
+    if (before > 0) return;
+    film.sums.id[pixel] = id_of(path);
+    if (!film.sums.value.empty()) film.sums.value[pixel] = path.value;
 }
 
 void gather_deep(const Sighting& sighting, std::vector<DeepSample>& gathered) {

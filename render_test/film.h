@@ -15,6 +15,7 @@ struct Channels {
     bool motion = false;
     bool mattes = false;  ///< objects and body
     bool deep = false;
+    bool value = false;  ///< of a check view
 };
 
 /// Sums over the samples so far in place of means; the layers' sums of `sums` are there

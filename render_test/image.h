@@ -32,6 +32,7 @@ struct Image {
     std::vector<RankedIds> objects;  ///< shares of the pixel of strands and kMeshId
     std::vector<float> body;         ///< share of the pixel of the mesh
     std::vector<std::vector<DeepSample>> deep;  ///< sorted by id and depth
+    std::vector<float> value;                   ///< of a check view, at the first sample
 
     Image() = default;
     Image(int w, int h);
@@ -53,6 +54,10 @@ ColourMap read_colour_map(const std::filesystem::path& path);
 /// written, where there is no font to do it with.
 bool draw_text(Image& image, int x, int y, const std::string& text, int size,
                const Vec3f& colour);
+
+/// The colours of the picture at another size, each of its pixels the mean of those that
+/// it stands for; no other layer.
+Image reduced(const Image& image, int width, int height);
 
 /// The sRGB code, 0..1, of a linear value; clamped.
 float srgb_of_linear(float linear);

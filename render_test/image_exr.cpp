@@ -133,6 +133,10 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
     parts.add_halves({"T.X", "T.Y", "T.Z"}, image.tangent);
     parts.begin("id");
     parts.add({"id"}, Imf::UINT, image.id.data());
+    if (!image.value.empty()) {
+        parts.begin("value");
+        parts.add({"value"}, Imf::FLOAT, image.value.data());
+    }
     if (!image.motion.empty()) {
         parts.begin("motion");
         parts.add({"motion.X", "motion.Y"}, Imf::FLOAT, image.motion.data()->data());

@@ -12,6 +12,7 @@ namespace lancret {
 ///   depth           Z (float), infinite where there is nothing
 ///   N, T            N.X N.Y N.Z, T.X T.Y T.Z (half)
 ///   id              id (uint)
+///   value           value (float), of a check view
 ///   motion          motion.X motion.Y (float)
 ///   variance        variance.R .G .B .A (float)
 ///   CryptoObject    CryptoObject00.R .. CryptoObject02.A (float): ids and shares of the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_test/check_view.h"
 #include "render_test/glossy.h"
 #include "render_test/groom_shading.h"
 #include "render_test/light_choice.h"
@@ -223,7 +224,11 @@ PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ra
     if (settings.show_environment && seen.coverage < 1)
         path.radiance =
             (1 - seen.coverage) * scene.lights.environment().radiance(ray.direction);
-    if (seen.hit && settings.groom_shading) {
+    if (seen.hit && scene.view) {
+        path.radiance +=
+            seen.coverage * view_radiance(*scene.view, ray, *seen.hit, path.counter);
+        result.value = view_value(*scene.view, *seen.hit);
+    } else if (seen.hit && settings.groom_shading) {
         sampler.skip_to(kCameraPairs);
         path.radiance +=
             seen.coverage * groom_radiance(scene, ray, *seen.hit, sampler, path.counter);

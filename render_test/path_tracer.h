@@ -15,6 +15,8 @@
 
 namespace lancret {
 
+struct CheckView;
+
 /// What light meets. The geometry must outlive it.
 struct RenderScene {
     const HairScene* geometry = nullptr;
@@ -27,6 +29,7 @@ struct RenderScene {
     std::optional<HairLook> later_hair;
     MeshMaterial mesh;
     Lights lights;
+    const CheckView* view = nullptr;  ///< false colours in place of light; or none
 };
 
 /// A ray as it was asked of the scene.
@@ -67,6 +70,7 @@ struct PathResult {
     std::optional<Hit> first;  ///< what the camera sees; one of what it sees through
     float coverage = 0;        ///< 0..1, less than one through thin strands
     std::uint32_t rays = 0;    ///< traced, shadow rays too
+    float value = 0;           ///< of a check view, at `first`
 };
 
 /// Follows one path. Nothing is clamped: a sample may be far brighter than its pixel.

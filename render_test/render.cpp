@@ -117,6 +117,7 @@ Film empty_film(const RenderScene& scene, const Camera& camera,
         throw std::invalid_argument("deep pictures have no environment behind them");
     Channels channels = settings.channels;
     channels.variance |= settings.noise > 0;
+    channels.value |= scene.view != nullptr;
     Film film(settings.width, settings.height, channels);
     // Neighbouring hits of a strand that runs into the picture at up to 60 degrees are
     // two pixels apart in depth.

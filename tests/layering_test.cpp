@@ -77,7 +77,7 @@ const ThirdParty kThirdParties[] = {
     {{"OpenImageIO", "OpenEXR", "Imath", "Imf", "Iex"},
      {"render_test/image.", "render_test/image_", "procedural/region_map.",
       "tests/render_test/image_", "tests/procedural/region_map_test.",
-      "tests/tools/good_runs_test."}},
+      "tests/tools/good_runs_test.", "tests/tools/views_test."}},
     {{"hdf5", "H5"}, {"guides/guide_cache", "tests/guides/guide_cache_test."}},
     {{"tiny_obj_loader"}, {"guides/obj_file."}},
     {{"nanoflann"}, {"guides/point_tree.h"}},

@@ -68,6 +68,7 @@ Image evaluation_strip(const LeaveOut& taken, const GuideProfiles<float>& profil
     const Camera camera = preview_camera(view.preview, box, view.up);
     RenderScene scene;
     scene.hair = HairLook(view.preview.hair);
+    scene.later_hair = later_hair(view.preview);
     scene.mesh = view.preview.mesh;
     scene.lights = view.preview.lights ? *view.preview.lights
                                        : default_lights(camera.view(), view.up);

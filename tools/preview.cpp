@@ -7,25 +7,14 @@
 #include <memory>
 #include <numbers>
 
-#include "guides/errors.h"
 #include "procedural/check_figures.h"
-#include "tools/command.h"
-#include "tools/frames.h"
-#include "tools/preview_picture.h"
+#include "render_test/contact_sheet.h"
+#include "tools/preview_options.h"
 #include "tools/stats.h"
 
 namespace lancret {
 
 namespace {
-
-struct PreviewOptions {
-    GroomOptions groom;
-    FrameOptions frames;
-    std::string size, shutter, output, deep;
-    std::optional<int> samples, motion_samples, turntable;
-    std::optional<float> regularisation, noise;
-    bool progressive = false, denoise = false;
-};
 
 /// The box of the guides: what a groom means to be, whatever a stray child does.
 Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides,
@@ -42,84 +31,43 @@ Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& g
     return box;
 }
 
-/// The pictures to write: one a frame, or one a view of a turntable.
-std::vector<PictureFiles> outputs_of(const PreviewOptions& options, const Job& job,
-                                     const ChosenFrames& chosen) {
-    std::vector<PictureFiles> out;
-    const bool several = chosen.frames.size() > 1;
-    if (options.turntable && several) {
-        throw InputError(
-            "--turntable: goes round one frame; give --frame and not --frames");
-    }
-    if (options.progressive && !options.deep.empty()) {
-        throw InputError("--deep: is written once, at the end; leave out --progressive");
-    }
-    const auto add = [&](const auto& path_of) {
-        out.push_back({path_of(options.output), options.deep.empty()
-                                                    ? std::filesystem::path()
-                                                    : path_of(options.deep)});
-    };
-    for (int view = 1; view <= options.turntable.value_or(0); ++view) {
-        add([&](const std::string& name) { return picture_path(name, view, true); });
-    }
-    for (const double frame : chosen.frames) {
-        if (options.turntable) break;
-        add([&](const std::string& name) {
-            return options.frames.given() ? picture_path(name, frame, several)
-                                          : std::filesystem::path(name);
-        });
-    }
-    for (const auto& [picture, deep] : out) {
-        check_output(picture, {".exr", ".png"}, options.groom, job.groom);
-        check_output(deep, {".exr"}, options.groom, job.groom, picture);
-        check_output(options.groom.stats, {}, options.groom, job.groom, picture);
-        check_output(options.groom.stats, {}, options.groom, job.groom, deep);
+/// One camera for all pictures, or one a view of a turntable. It looks at the rest pose
+/// and stays there, whatever frame is shown.
+std::vector<Camera> cameras_of(const Job& job, const Generator& generator,
+                               std::size_t views) {
+    const Vec3f up = job.groom.scene.up.cast<float>();
+    const Eigen::AlignedBox3f box =
+        extent(generator.profiles, generator.source.guides, job.groom.bind.length_scale);
+    const Camera front = preview_camera(job.preview, box, up);
+    std::vector<Camera> out(std::max<std::size_t>(views, 1), front);
+    for (std::size_t view = 0; view < views; ++view) {
+        const float step = 2 * std::numbers::pi_v<float> / float(views);
+        out[view] = turned(front, box.center(), up, float(view) * step);
     }
     return out;
 }
 
-/// "0,0.5" or "-0.25,0.25". Throws InputError.
-Vec2 parse_shutter(const std::string& text) {
-    Vec2 out;
-    const std::size_t comma = std::min(text.find(','), text.size());
-    const bool good = CLI::detail::lexical_cast(text.substr(0, comma), out.x()) &&
-                      comma < text.size() &&
-                      CLI::detail::lexical_cast(text.substr(comma + 1), out.y());
-    if (!good || !is_shutter(out)) {
-        throw InputError(fmt::format(
-            "--shutter: '{}' is no shutter; give when it opens and closes, in frames "
-            "after the frame, such as 0,0.5",
-            text));
-    }
-    return out;
+/// What all pictures took together; of the first one, until it was there.
+void add_cost(const PictureCost& cost, bool first, PictureCost& total) {
+    total.expand += cost.expand;
+    total.bvh += cost.bvh;
+    total.render += cost.render;
+    total.rays += cost.rays;
+    total.paths += cost.paths;
+    if (first) total.first = cost.first;
+    total.bvh_bytes = std::max(total.bvh_bytes, cost.bvh_bytes);
 }
 
-/// The options laid over what the groom says of its picture.
-void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
-              PreviewSettings& settings) {
-    RenderSettings& render = settings.render;
-    if (!options.size.empty()) {
-        std::tie(render.width, render.height) = parse_size(options.size);
-    }
-    settings.denoise = options.denoise;
-    if (options.samples) render.samples = *options.samples;
-    if (options.noise) {
-        render.noise = *options.noise;
-        if (!options.samples) render.samples = kMostAdaptiveSamples;
-    }
-    if (options.denoise && render.samples < 2) {
-        throw InputError(
-            "--denoise: one sample a pixel does not tell what is noise; give --samples 2 "
-            "or more");
-    }
-    if (options.regularisation) settings.regularisation = *options.regularisation;
-    if (options.motion_samples) settings.motion_samples = *options.motion_samples;
-    if (options.shutter.empty()) return;
-    settings.shutter = parse_shutter(options.shutter);
-    if (chosen.cache.empty()) {
-        throw InputError(
-            "--shutter: the groom is no cache (.h5) and so holds still; simulate one");
-    }
+void print_picture(const std::filesystem::path& output, const Generator& generator,
+                   const PictureCost& cost) {
+    fmt::print(
+        "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
+        "expand {:.3f}, BVH {:.2f}, render {:.1f} ({:.2f} million rays/s); {:.0f} MB\n",
+        output.string(), generator.binding.size(), generator.source.guides.size(),
+        generator.seconds.load, generator.seconds.fit, generator.seconds.bind,
+        cost.expand, cost.bvh, cost.render,
+        cost.render > 0 ? 1e-6 * double(cost.rays) / cost.render : 0.0,
+        double(peak_rss()) / 1e6);
 }
 
 int preview(const PreviewOptions& options) {
@@ -127,24 +75,21 @@ int preview(const PreviewOptions& options) {
     const ChosenFrames chosen = chosen_frames(options.frames, job, false);
     const auto outputs = outputs_of(options, job, chosen);
     lay_over(options, chosen, job.preview);
+    std::optional<ViewRequest> request = view_request(options);
     const RenderSettings& settings = job.preview.render;
 
     Generator generator = run_generator(job.groom);
     const RestPlaces rest = prepare_frames(generator, chosen, job);
-    const Vec3f up = job.groom.scene.up.cast<float>();
-    // The camera looks at the rest pose and stays there, whatever frame is shown.
-    const Eigen::AlignedBox3f box =
-        extent(generator.profiles, generator.source.guides, job.groom.bind.length_scale);
-    const Camera front = preview_camera(job.preview, box, up);
+    const std::size_t views = options.turntable ? outputs.size() : 0;
+    const std::vector<Camera> cameras = cameras_of(job, generator, views);
     RenderScene scene;
     scene.hair = HairLook(job.preview.hair);
     scene.later_hair = later_hair(job.preview);
     scene.mesh = job.preview.mesh;
-    std::vector<Camera> cameras{front};  // or one a view of a turntable
-    if (options.turntable) cameras.resize(outputs.size());
-    for (std::size_t view = 0; options.turntable && view < outputs.size(); ++view) {
-        const float step = 2 * std::numbers::pi_v<float> / float(outputs.size());
-        cameras[view] = turned(front, box.center(), up, float(view) * step);
+    std::optional<ContactSheet> sheet;
+    if (!options.contact_sheet.empty()) {
+        sheet = make_contact_sheet(outputs.size(), settings.width, settings.height,
+                                   job.preview.background);
     }
 
     nlohmann::json stats = generator_stats(generator), frames = nlohmann::json::array();
@@ -152,8 +97,10 @@ int preview(const PreviewOptions& options) {
     std::vector<ShownTime> moments;
     std::vector<SceneTime> shown;
     std::optional<HairScene> geometry;
+    std::optional<CheckView> view;
+    Image image;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        const double frame = chosen.frames[options.turntable ? 0 : i];
+        const double frame = chosen.frames[views ? 0 : i];
         const ShutterTimes times =
             shutter_times(chosen, frame, job.preview.shutter, job.preview.motion_samples);
         if (times.cut) {
@@ -165,48 +112,57 @@ int preview(const PreviewOptions& options) {
                 times.frames.back());
         }
         std::string title = "render";
-        if (options.turntable) {
-            title = fmt::format("view {} of {}", i + 1, outputs.size());
+        if (views) {
+            title = fmt::format("view {} of {}", i + 1, views);
         } else if (outputs.size() > 1) {
             title = fmt::format("frame {} ({} of {})", frame, i + 1, outputs.size());
         }
         PictureCost cost;
-        // Views of a turntable share all but the camera.
-        if (!geometry || !options.turntable) {
+        // Views of a turntable share all but the camera; frames that are alike, all.
+        const bool still =
+            geometry && (views || as_before(moments, rest, chosen, times.frames, job));
+        if (!still) {
             geometry.reset();
             geometry.emplace(
                 grow(generator, rest, chosen, times.frames, job, cameras, moments, cost));
             scene.geometry = &*geometry;
             shown = scene_times(moments);
             scene.times = shown;
+            if (request) {
+                view = view_of(*request, generator, rest, moments[0], job.groom);
+                scene.view = &*view;
+                fmt::print("{}\n", view_line(*request, *view));
+                // The first picture's scale is that of all.
+                keep_range(*view, *request);
+            }
         }
-        const Camera& camera = cameras[options.turntable ? i : 0];
-        scene.lights =
-            job.preview.lights ? *job.preview.lights : default_lights(camera.view(), up);
-        shoot(scene, camera, job.preview, options.progressive, title, outputs[i], cost);
-        total.expand += cost.expand;
-        total.bvh += cost.bvh;
-        total.render += cost.render;
-        total.rays += cost.rays;
-        total.paths += cost.paths;
-        if (i == 0) total.first = cost.first;
-        total.bvh_bytes = std::max(total.bvh_bytes, cost.bvh_bytes);
+        if (still && !views) {
+            write_picture(outputs[i], image, job.preview.background);
+        } else {
+            const Camera& camera = cameras[views ? i : 0];
+            scene.lights =
+                job.preview.lights
+                    ? *job.preview.lights
+                    : default_lights(camera.view(), job.groom.scene.up.cast<float>());
+            image = shoot(scene, camera, job.preview, options.progressive, title,
+                          outputs[i], cost);
+        }
+        if (sheet) {
+            add_picture(*sheet, i, image,
+                        fmt::format("{}", views ? double(i + 1) : frame));
+        }
+        add_cost(cost, i == 0, total);
         frames.push_back(
             {{"frame", frame_json(frame)},
              {"image", outputs[i].picture.string()},
              {"times", times.frames},
+             {"still", still},
              {"seconds",
               {{"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
-        fmt::print(
-            "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
-            "expand {:.3f}, BVH {:.2f}, render {:.1f} ({:.2f} million rays/s); {:.0f} "
-            "MB\n",
-            outputs[i].picture.string(), moments[0].curves.strands,
-            generator.source.guides.size(), generator.seconds.load, generator.seconds.fit,
-            generator.seconds.bind, cost.expand, cost.bvh, cost.render,
-            1e-6 * double(cost.rays) / cost.render, double(peak_rss()) / 1e6);
+        print_picture(outputs[i].picture, generator, cost);
         std::fflush(stdout);
     }
+    if (sheet) write_image(options.contact_sheet, sheet->image);
     add_curve_stats(stats, moments[0].curves, total.expand);
     stats["seconds"]["bvh"] = total.bvh;
     stats["seconds"]["render"] = total.render;
@@ -219,7 +175,8 @@ int preview(const PreviewOptions& options) {
     stats["image"] = {{"width", settings.width},
                       {"height", settings.height},
                       {"samples", settings.samples}};
-    if (!chosen.cache.empty() || options.turntable) stats["frames"] = std::move(frames);
+    if (view) stats["view"] = view_json(*request, *view);
+    if (!chosen.cache.empty() || views) stats["frames"] = std::move(frames);
     write_stats(options.groom.stats, std::move(stats));
     return kFine;
 }
@@ -229,72 +186,7 @@ int preview(const PreviewOptions& options) {
 void add_preview(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<PreviewOptions>();
     CLI::App* command = app.add_subcommand("preview", "Render a picture of a groom");
-    add_groom_options(*command, options->groom);
-    add_frames_options(*command, options->frames);
-    command->add_option("--samples", options->samples, "paths a pixel")
-        ->type_name("N")
-        ->check(CLI::Range(1, 65536));
-    command
-        ->add_option("--noise", options->noise,
-                     "render until the picture has this relative noise, each pixel with "
-                     "as many paths as it needs, at most --samples (1024 by default)")
-        ->type_name("N")
-        ->check(CLI::Range(0.001, 10.0));
-    command->add_option("--size", options->size, "of the picture, pixels")
-        ->type_name("WxH")
-        ->check(not_empty());
-    command
-        ->add_option("--shutter", options->shutter,
-                     "motion blur: when it opens and closes, in frames after the frame")
-        ->type_name("A,B")
-        ->check(not_empty());
-    command
-        ->add_option("--motion-samples", options->motion_samples,
-                     "times in the shutter at which the strands are grown")
-        ->type_name("N")
-        ->check(CLI::Range(2, int(kMostSceneTimes)));
-    command
-        ->add_option("--regularisation", options->regularisation,
-                     "least roughness of hair after a path's first scattering: less "
-                     "noise, a little brighter; 0.5 by default, 0 for a reference")
-        ->type_name("R")
-        ->check(CLI::Range(0.0, 1.0));
-    command->add_flag("--progressive", options->progressive,
-                      "write the picture at 1, 2, 4, ... samples a pixel");
-    command
-        ->add_option("--turntable", options->turntable,
-                     "views evenly round the groom, grown once; numbers the pictures")
-        ->type_name("N")
-        ->check(CLI::Range(2, 100000));
-    command->add_flag("--denoise", options->denoise,
-                      "less noise of few samples, by a filter that coverage, normals, "
-                      "tangents and depth guide");
-    command
-        ->add_option("--deep", options->deep,
-                     "beside the picture a deep one (.exr): strands at their depths")
-        ->type_name("FILE")
-        ->check(not_empty());
-    command
-        ->add_option("-o,--output", options->output,
-                     "the picture: .exr or .png; of several frames, head.####.png")
-        ->required()
-        ->type_name("FILE")
-        ->check(not_empty());
-    command->footer(
-        "Examples:\n"
-        "  lancret preview examples/made_groom.toml -o head.png\n"
-        "  lancret preview groom.hair --scalp head.obj --guides 400 --strands 100000 -o "
-        "head.exr\n"
-        "  lancret preview cache.h5 --frames 1-96 -o head.####.png\n"
-        "  lancret preview cache.h5 --frame 12 --shutter 0,0.5 -o blurred.png\n"
-        "  lancret preview groom.toml --turntable 48 -o turn.####.png\n"
-        "  lancret preview groom.toml --progressive -o window.png\n"
-        "  lancret preview groom.toml --noise 0.1 -o even.exr\n"
-        "  lancret preview groom.toml -o head.exr --deep head_deep.exr\n"
-        "  lancret preview groom.toml --samples 8 --denoise -o draft.png\n"
-        "  lancret preview groom.hair --guides 5% --strands 5000 --size 640x640 "
-        "--samples 16 "
-        "-o quick.png");
+    add_preview_options(*command, *options);
     command->callback([options, &exit_code] { exit_code = preview(*options); });
 }
 

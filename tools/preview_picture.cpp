@@ -2,6 +2,7 @@
 
 #include "render_test/denoise.h"
 #include "render_test/image_exr.h"
+#include "render_test/legend.h"
 #include "render_test/thin_strands.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
@@ -15,6 +16,22 @@ std::optional<TriangleMesh> body_of(const GroomGuides& source, const ScalpPose& 
     if (source.body) return posed_mesh(*source.body, pose);
     if (source.scalp) return posed_mesh(source.scalp->mesh, pose);
     return std::nullopt;
+}
+
+bool same(const Guides& a, const Guides& b) {
+    return a.segments == b.segments && a.root_positions == b.root_positions &&
+           a.root_frames == b.root_frames && a.segment_lengths == b.segment_lengths &&
+           a.curvatures == b.curvatures;
+}
+
+bool same(const ScalpPose& a, const ScalpPose& b) {
+    if (a.index() != b.index()) return false;
+    if (const auto* mesh = std::get_if<TriangleMesh>(&a)) {
+        return mesh->positions == std::get<TriangleMesh>(b).positions;
+    }
+    const auto& x = std::get<RigidPose>(a);
+    const auto& y = std::get<RigidPose>(b);
+    return x.rotation == y.rotation && x.translation == y.translation;
 }
 
 }  // namespace
@@ -35,18 +52,32 @@ Channels channels_of(const PictureFiles& files, bool denoise) {
             .deep = !files.deep.empty()};
 }
 
+bool as_before(const std::vector<ShownTime>& moments, const RestPlaces& rest,
+               const ChosenFrames& chosen, const std::vector<double>& times,
+               const Job& job) {
+    if (moments.size() != times.size()) return false;
+    for (std::size_t i = 0; i < times.size() && !chosen.cache.empty(); ++i) {
+        const ScalpPose pose = job.pose_at ? job.pose_at(times[i]) : ScalpPose();
+        if (!same(moments[i].state.pose, pose) ||
+            !same(moments[i].state.guides, guides_at(chosen, rest, job, times[i]))) {
+            return false;
+        }
+    }
+    return true;
+}
+
 HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
                const std::vector<double>& times, const Job& job,
                std::span<const Camera> cameras, std::vector<ShownTime>& moments,
                PictureCost& cost) {
     moments.clear();
     for (const double frame : times) {
-        const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
+        FrameState state = go_to_frame(generator, rest, chosen, job, frame);
         Stopwatch watch;
-        moments.push_back(
-            {expand(generator.binding, state.profiles, job.groom.expand), {}, {}});
+        Curves curves = expand(generator.binding, state.profiles, job.groom.expand);
         cost.expand += watch.lap();
-        moments.back().body = body_of(generator.source, state.pose);
+        std::optional<TriangleMesh> body = body_of(generator.source, state.pose);
+        moments.push_back({std::move(state), std::move(curves), std::move(body), {}});
         if (job.preview.least_width > 0) {
             moments.back().true_radii =
                 widen_thin_strands(moments.back().curves, cameras,
@@ -59,19 +90,28 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
     return geometry;
 }
 
-void shoot(const RenderScene& scene, const Camera& camera,
-           const PreviewSettings& settings, bool progressive, const std::string& title,
-           const PictureFiles& files, PictureCost& cost) {
+void write_picture(const PictureFiles& files, const Image& image,
+                   const Vec3f& background) {
+    write_image(files.picture, image, background);
+    if (!files.deep.empty()) write_deep_exr(files.deep, image);
+}
+
+Image shoot(const RenderScene& scene, const Camera& camera,
+            const PreviewSettings& settings, bool progressive, const std::string& title,
+            const PictureFiles& files, PictureCost& cost) {
     Stopwatch watch;
     cost.first = cost.render = 0;
     RenderSettings render_settings = settings.render;
-    render_settings.channels = channels_of(files, settings.denoise);
+    // A view's legend is drawn over its colours alone: mattes would not know of it.
+    if (!scene.view) render_settings.channels = channels_of(files, settings.denoise);
+    Image out;
     const auto write = [&](Image image) {
         if (settings.denoise) denoise(image);
         cost.render += watch.lap();
         if (cost.first == 0) cost.first = cost.render;
-        write_image(files.picture, image, settings.background);
-        if (!files.deep.empty()) write_deep_exr(files.deep, image);
+        out = std::move(image);
+        if (scene.view) draw_legend(out, *scene.view);
+        write_picture(files, out, settings.background);
         watch.lap();
     };
     ProgressBar bar(title);
@@ -87,6 +127,7 @@ void shoot(const RenderScene& scene, const Camera& camera,
     } else {
         write(render(scene, camera, render_settings, progress));
     }
+    return out;
 }
 
 Camera turned(const Camera& camera, const Vec3f& centre, const Vec3f& up, float angle) {

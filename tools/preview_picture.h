@@ -29,6 +29,7 @@ struct PictureFiles {
 
 /// The children and the head at each time of a shutter.
 struct ShownTime {
+    FrameState state;
     Curves curves;
     std::optional<TriangleMesh> body;
     std::vector<float> true_radii;  ///< of thin strands drawn wider, else empty
@@ -48,11 +49,22 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
                std::span<const Camera> cameras, std::vector<ShownTime>& moments,
                PictureCost& cost);
 
-/// Renders and writes one picture; a progressive one again and again, the file replaced
-/// each time, and its deep one once. Throws InputError.
-void shoot(const RenderScene& scene, const Camera& camera,
-           const PreviewSettings& settings, bool progressive, const std::string& title,
-           const PictureFiles& files, PictureCost& cost);
+/// Whether guides and head are at `times` just where they were when `moments` were grown,
+/// so that what grow gave can be shown again. Throws InputError.
+bool as_before(const std::vector<ShownTime>& moments, const RestPlaces& rest,
+               const ChosenFrames& chosen, const std::vector<double>& times,
+               const Job& job);
+
+/// Writes a picture's files, its deep one where it has one. Throws InputError.
+void write_picture(const PictureFiles& files, const Image& image,
+                   const Vec3f& background);
+
+/// Renders and writes one picture, and gives it; a progressive one again and again, the
+/// file replaced each time, and its deep one once. That of a check view has its legend.
+/// Throws InputError.
+Image shoot(const RenderScene& scene, const Camera& camera,
+            const PreviewSettings& settings, bool progressive, const std::string& title,
+            const PictureFiles& files, PictureCost& cost);
 
 /// The camera gone round the axis through `centre` by `angle`, radian.
 Camera turned(const Camera& camera, const Vec3f& centre, const Vec3f& up, float angle);

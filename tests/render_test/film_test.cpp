@@ -18,9 +18,7 @@ PathResult path_of(float radiance, float coverage) {
     return path;
 }
 
-void add(Film& film, const PathResult& path) {
-    add_sample(film, 0, {.path = path});
-}
+void add(Film& film, const PathResult& path) { add_sample(film, 0, {.path = path}); }
 
 TEST(Film, VarianceOfTheMeanIsThatOfItsSamplesOverTheirNumber) {
     Film film(1, 1, {.variance = true});

@@ -1,0 +1,137 @@
+#include "render_test/check_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_test/colour_map.h"
+#include "render_test/path_tracer.h"
+
+namespace lancret {
+
+namespace {
+
+Vec3f strand_colour(const CheckView& view, const Hit& hit) {
+    return view.colours.empty() ? scale_colour(view.scale, view_value(view, hit))
+                                : view.colours[hit.strand];
+}
+
+/// 1 where a surface faces the ray, kLeastShade where it is seen from its edge.
+float shade(float cosine) { return kLeastShade + (1 - kLeastShade) * std::abs(cosine); }
+
+constexpr int kMostLayers = 256;  // looked through
+constexpr float kSeenThrough = 0.6f;
+
+bool is_clean(const CheckView& view, const Hit& hit) {
+    return hit.kind == Hit::Kind::mesh ||
+           (view.scale.clean && view_value(view, hit) <= *view.scale.clean);
+}
+
+/// The colour of what is there itself.
+Vec3f surface_colour(const CheckView& view, const Ray& ray, const Hit& hit) {
+    if (hit.kind == Hit::Kind::mesh) {
+        return Vec3f::Constant(0.06f * shade(hit.normal.dot(ray.direction)));
+    }
+    const float across = std::sqrt(std::max(0.0f, 1 - hit.h * hit.h));
+    return strand_colour(view, hit) * shade(hit.facing.dot(ray.direction) * across);
+}
+
+/// The first place that is not clean behind `front`, on this side of the mesh or in it.
+std::optional<Hit> first_behind(const CheckView& view, Ray ray, const Hit& front,
+                                RayCounter& counter) {
+    RayCounter apart{*view.apart->scene};
+    int surfaces = 0;
+    std::optional<Hit> hit;
+    for (int layer = 0; layer < kMostLayers; ++layer) {
+        hit = apart.intersect(ray);
+        if (!hit) break;
+        if (hit->kind == Hit::Kind::strand)
+            hit->strand = view.apart->strands[hit->strand];
+        if (hit->distance > front.distance && !is_clean(view, *hit)) break;
+        surfaces += hit->kind == Hit::Kind::mesh;
+        if (surfaces > 1) hit.reset();
+        if (!hit) break;
+        ray.near = hit->distance +
+                   1e-6f * (1 + hit->position.cwiseAbs().maxCoeff() + hit->distance);
+        hit.reset();
+    }
+    counter.rays += apart.rays;
+    return hit;
+}
+
+}  // namespace
+
+float scale_place(const ColourScale& scale, float value) {
+    const auto place = [](double x, double low, double high) {
+        return float(std::clamp((x - low) / (high - low), 0.0, 1.0));
+    };
+    if (scale.kind != ColourScale::Kind::logarithmic) {
+        return place(value, scale.low, scale.high);
+    }
+    return value > 0 ? place(std::log(value), std::log(scale.low), std::log(scale.high))
+                     : 0;
+}
+
+Vec3f scale_colour_at(const ColourScale& scale, float at) {
+    return scale.kind == ColourScale::Kind::diverging ? diverging_colour(2 * at - 1)
+                                                      : sequential_colour(at);
+}
+
+Vec3f scale_colour(const ColourScale& scale, float value) {
+    if (!scale.over.empty() && value > scale.high) return kFailColour;
+    if (scale.clean && value <= *scale.clean) return kCleanColour;
+    return scale_colour_at(scale, scale_place(scale, value));
+}
+
+std::shared_ptr<const StrandsApart> strands_apart(const CheckView& view,
+                                                  const Curves& curves,
+                                                  const TriangleMesh* mesh) {
+    auto out = std::make_shared<StrandsApart>();
+    const std::size_t values = view.values.per_strand;
+    for (std::uint32_t i = 0; i < curves.strands; ++i) {
+        const auto own = std::span(view.values.values).subspan(i * values, values);
+        if (std::ranges::max(own) > view.scale.clean.value_or(0))
+            out->strands.push_back(i);
+    }
+    Curves& chosen = out->curves;
+    chosen.basis = curves.basis;
+    chosen.shape = curves.shape;
+    chosen.strands = std::uint32_t(out->strands.size());
+    chosen.segments_per_strand = curves.segments_per_strand;
+    chosen.points_per_strand = curves.points_per_strand;
+    const std::size_t points = curves.points_per_strand;
+    const std::uint32_t segments = curves.segments_per_strand;
+    chosen.points = Buffer<Point4f>(chosen.strands * points);
+    const bool hermite = curves.basis == CurveBasis::hermite;
+    chosen.tangents = Buffer<Point4f>(hermite ? chosen.points.size() : 0);
+    chosen.segments = Buffer<std::uint32_t>(std::size_t(chosen.strands) * segments);
+    for (std::uint32_t i = 0; i < chosen.strands; ++i) {
+        const std::size_t from = out->strands[i] * points;
+        std::copy_n(curves.points.data() + from, points,
+                    chosen.points.data() + i * points);
+        if (hermite) {
+            std::copy_n(curves.tangents.data() + from, points,
+                        chosen.tangents.data() + i * points);
+        }
+        for (std::uint32_t j = 0; j < segments; ++j) {
+            chosen.segments[std::size_t(i) * segments + j] =
+                std::uint32_t(i * points) + j;
+        }
+    }
+    out->scene.emplace(chosen, mesh);
+    return out;
+}
+
+float view_value(const CheckView& view, const Hit& hit) {
+    return hit.kind == Hit::Kind::strand ? view.values.at(hit.strand, hit.along) : 0;
+}
+
+Vec3f view_radiance(const CheckView& view, const Ray& ray, const Hit& hit,
+                    RayCounter& counter) {
+    const Vec3f own = surface_colour(view, ray, hit);
+    if (!view.apart || !is_clean(view, hit)) return own;
+    const std::optional<Hit> behind = first_behind(view, ray, hit, counter);
+    if (!behind) return own;
+    return kSeenThrough * strand_colour(view, *behind) + (1 - kSeenThrough) * own;
+}
+
+}  // namespace lancret
