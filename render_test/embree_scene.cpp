@@ -52,6 +52,8 @@ RTCRay embree_ray(const Ray& ray) {
 }
 
 RTCGeometryType geometry_type(const Curves& curves) {
+    if (curves.shape == CurveShape::ribbon)
+        return RTC_GEOMETRY_TYPE_NORMAL_ORIENTED_BSPLINE_CURVE;
     const bool flat = curves.shape == CurveShape::flat;
     if (curves.basis == CurveBasis::bspline)
         return flat ? RTC_GEOMETRY_TYPE_FLAT_BSPLINE_CURVE
@@ -99,22 +101,26 @@ struct HairScene::Impl {
         const Curves& first = *shape.curves[0];
         const RTCGeometry g = rtcNewGeometry(device, geometry_type(first));
         if (shape.times() > 1) rtcSetGeometryTimeStepCount(g, unsigned(shape.times()));
-        const auto share = [&](RTCBufferType type, unsigned slot, const auto& buffer) {
-            rtcSetSharedGeometryBuffer(g, type, slot, RTC_FORMAT_FLOAT4, buffer.data(), 0,
+        const auto share = [&](RTCBufferType type, unsigned slot, const auto& buffer,
+                               RTCFormat format = RTC_FORMAT_FLOAT4) {
+            rtcSetSharedGeometryBuffer(g, type, slot, format, buffer.data(), 0,
                                        sizeof(Point4f), buffer.size());
         };
         for (unsigned t = 0; t < shape.times(); ++t) {
             share(RTC_BUFFER_TYPE_VERTEX, t, shape.curves[t]->points);
             if (first.basis == CurveBasis::hermite)
                 share(RTC_BUFFER_TYPE_TANGENT, t, shape.curves[t]->tangents);
+            if (first.shape == CurveShape::ribbon)
+                share(RTC_BUFFER_TYPE_NORMAL, t, shape.curves[t]->normals,
+                      RTC_FORMAT_FLOAT3);
         }
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
                                    first.segments.data(), 0, sizeof(std::uint32_t),
                                    first.segments.size());
-        if (!shape.true_radii.empty()) {
+        if (!shape.true_radii.empty() || shape.aspect < 1) {
             rtcSetGeometryUserData(g, &shape);
-            rtcSetGeometryIntersectFilterFunction(g, pass_by_chance);
-            rtcSetGeometryOccludedFilterFunction(g, pass_by_chance);
+            rtcSetGeometryIntersectFilterFunction(g, hit_counts);
+            rtcSetGeometryOccludedFilterFunction(g, hit_counts);
         }
         if (first.shape == CurveShape::flat)
             rtcSetGeometryTessellationRate(g, float(tessellation));
@@ -141,11 +147,25 @@ struct HairScene::Impl {
         attach(g, "adding a mesh");
     }
 
-    /// Embree's question whether a hit counts. The chance is the ray's and the segment's,
-    /// so that a segment which Embree meets twice gives one answer.
-    static void pass_by_chance(const RTCFilterFunctionNArguments* args) {
-        if (args->N != 1 || !args->valid[0] || RTCRayN_id(args->ray, 1, 0) == 0) return;
+    /// Embree's question whether a hit counts.
+    static void hit_counts(const RTCFilterFunctionNArguments* args) {
+        if (args->N != 1 || !args->valid[0]) return;
         const auto& scene = *static_cast<const SceneShape*>(args->geometryUserPtr);
+        if (scene.aspect < 1 &&
+            !scene.within_section(
+                RTCHitN_primID(args->hit, 1, 0), RTCHitN_u(args->hit, 1, 0),
+                RTCHitN_v(args->hit, 1, 0), RTCRayN_time(args->ray, 1, 0),
+                Vec3f(RTCRayN_dir_x(args->ray, 1, 0), RTCRayN_dir_y(args->ray, 1, 0),
+                      RTCRayN_dir_z(args->ray, 1, 0))))
+            args->valid[0] = 0;
+        else if (!scene.true_radii.empty() && RTCRayN_id(args->ray, 1, 0) != 0)
+            pass_by_chance(scene, args);
+    }
+
+    /// The chance is the ray's and the segment's, so that a segment which Embree meets
+    /// twice gives one answer.
+    static void pass_by_chance(const SceneShape& scene,
+                               const RTCFilterFunctionNArguments* args) {
         const std::uint32_t segment = RTCHitN_primID(args->hit, 1, 0);
         const float u = RTCHitN_u(args->hit, 1, 0);
         const float time = RTCRayN_time(args->ray, 1, 0);
@@ -182,7 +202,14 @@ HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& o
     if (!options.true_radii.empty() &&
         options.true_radii.size() != times[0].curves->points.size())
         throw std::invalid_argument("true radii are one for each control point");
+    if (!(options.aspect > 0 && options.aspect <= 1))
+        throw std::invalid_argument("a strand's aspect must be above 0, at most 1");
+    if (options.aspect < 1 &&
+        (times[0].curves->shape != CurveShape::flat ||
+         times[0].curves->normals.size() != times[0].curves->points.size()))
+        throw std::invalid_argument("elliptic strands are flat, with one normal a point");
     impl_->shape.true_radii = options.true_radii;
+    impl_->shape.aspect = options.aspect;
     const auto start = std::chrono::steady_clock::now();
     for (const SceneTime& time : times) impl_->shape.curves.push_back(time.curves);
     impl_->device = rtcNewDevice(nullptr);
@@ -200,6 +227,10 @@ HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& o
         impl_->shape.mesh = *times[0].mesh;
         for (const SceneTime& time : times.subspan(1))
             impl_->shape.vertices.push_back(time.mesh->positions);
+        for (const SceneTime& time : times)
+            if (options.crease > 0)
+                impl_->shape.normals.push_back(corner_normals(
+                    time.mesh->triangles, time.mesh->positions, options.crease));
         impl_->add_mesh();
     }
     rtcCommitScene(impl_->scene);

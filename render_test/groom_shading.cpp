@@ -20,13 +20,19 @@ Vec3f groom_radiance(const RenderScene& scene, const Ray& ray, const Hit& hit,
     if (!(light.pdf > 0)) return Vec3f::Zero();
     Vec3f value;
     Vec3f side = hit.facing;
-    if (hit.kind == Hit::Kind::strand) {
+    if (hit.ribbon) {
+        side = hit.shading_normal;
+        const Vec3f wo = frame_about(side).transpose() * -ray.direction;
+        value = Blade(scene.blade, scene.hair.colour(hit.strand, hit.along), wo)
+                    .evaluate(frame_about(side).transpose() * light.direction)
+                    .value;
+    } else if (hit.kind == Hit::Kind::strand) {
         Mat3f frame;
         frame << hit.tangent, hit.facing.cross(hit.tangent), hit.facing;
         value = groom_value(scene.hair.colour(hit.strand, hit.along),
                             frame.transpose() * light.direction);
     } else {
-        side = hit.normal.dot(ray.direction) < 0 ? hit.normal : Vec3f(-hit.normal);
+        side = hit.shading_normal;
         const Mat3f frame = frame_about(side);
         value =
             Lambert(scene.mesh, hit).evaluate(frame.transpose() * light.direction).value;

@@ -108,6 +108,16 @@ int preview(const PreviewOptions& options) {
     const auto outputs = outputs_of(options, job, chosen);
     lay_over(options, chosen, job.preview);
     const RenderSettings& settings = job.preview.render;
+    if (job.preview.hair.aspect < 1) {
+        if (job.groom.expand.shape != CurveShape::flat ||
+            job.groom.expand.basis != CurveBasis::bspline) {
+            throw InputError(fmt::format(
+                "{}: 'aspect' of [material] is of strands that are drawn as 'flat' "
+                "B-splines; leave out 'shape' and 'curve' of [strands]",
+                job.groom.name));
+        }
+        job.groom.expand.faces = true;
+    }
 
     Generator generator = run_generator(job.groom);
     const RestPlaces rest = prepare_frames(generator, chosen, job);
@@ -120,6 +130,7 @@ int preview(const PreviewOptions& options) {
     scene.hair = HairLook(job.preview.hair);
     scene.later_hair = later_hair(job.preview);
     scene.mesh = job.preview.mesh;
+    scene.blade = job.preview.blade;
     std::vector<Camera> cameras{front};  // or one a view of a turntable
     if (options.turntable) cameras.resize(outputs.size());
     for (std::size_t view = 0; options.turntable && view < outputs.size(); ++view) {

@@ -39,7 +39,9 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
     for (const ShownTime& m : moments) {
         scene_times.push_back({&m.curves, m.body ? &*m.body : nullptr});
     }
-    HairScene geometry(scene_times, {.true_radii = moments.front().true_radii});
+    HairScene geometry(scene_times, {.true_radii = moments.front().true_radii,
+                                     .crease = job.preview.crease,
+                                     .aspect = job.preview.hair.aspect});
     cost.bvh = geometry.build_seconds();
     cost.bvh_bytes = geometry.bvh_bytes();
     return geometry;
