@@ -185,8 +185,10 @@ Vec3f face_at(std::span<const Point4f> normals, std::size_t interval, bool middl
 
 TEST(RibbonNormals, AStrandBendsOverItsFace) {
     // A circle in the plane of n0 and a direction at angle 0.7 between n1 and n2: the
-    // face is the circle's own normal, in that plane, at every place, within the
-    // B-spline's own error on a unit circle, (turn^4 / 100 < 1e-5) and rounding.
+    // face is the circle's own normal, in that plane, at every place. The control point
+    // beyond an end is short by turn^2 along the normal there, of which the middle of the
+    // interval takes 1 / 48 and sees it under half the turn: turn^3 / 96 = 3.5e-5 at
+    // 0.15.
     const float angle = 0.7f;
     const Vec3 bend = std::cos(angle) * Vec3::UnitY() + std::sin(angle) * Vec3::UnitZ();
     const Vec3 u = 0.3 * Vec3::UnitX().cross(bend);
@@ -197,7 +199,7 @@ TEST(RibbonNormals, AStrandBendsOverItsFace) {
         for (const bool middle : {false, true}) {
             const double turned = 0.15 * (double(j) + (middle ? 0.5 : 0));
             const Vec3 face = std::cos(turned) * bend - std::sin(turned) * Vec3::UnitX();
-            EXPECT_LT((face_at(normals, j, middle) - face.cast<float>()).norm(), 2e-5f)
+            EXPECT_LT((face_at(normals, j, middle) - face.cast<float>()).norm(), 4e-5f)
                 << j;
         }
 }
