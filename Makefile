@@ -44,10 +44,12 @@ test: deps
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
 	ctest --preset $(PRESET) --parallel $(JOBS) --label-exclude slow
 
+# Also compares with Mitsuba, which it installs into build/ where it can.
 test-slow: deps
 	cmake --preset $(PRESET) -DLANCRET_TESTS=ON
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
-	ctest --preset $(PRESET) --label-regex slow
+	LANCRET_MITSUBA_PYTHON=$$(scripts/mitsuba-python $(CURDIR)/build/mitsuba) \
+	  ctest --preset $(PRESET) --label-regex slow
 
 bench: deps
 	cmake --preset $(PRESET) -DLANCRET_BENCH=ON

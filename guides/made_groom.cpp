@@ -259,7 +259,9 @@ std::vector<Vec3> middle_parting() {
     return out;
 }
 
-void check(const MadeGroomSettings& s) {
+}  // namespace
+
+void check_made(const MadeGroomSettings& s) {
     const auto require = [](bool holds, const char* what) {
         if (!holds) throw std::invalid_argument(std::string("make_groom: ") + what);
     };
@@ -277,10 +279,8 @@ void check(const MadeGroomSettings& s) {
             "expected a phase spread of 0 or more and a length spread within [0, 1)");
 }
 
-}  // namespace
-
 MadeGroom make_groom(const MadeGroomSettings& settings) {
-    check(settings);
+    check_made(settings);
     MadeGroom groom;
     groom.head = make_head();
     groom.scalp = scalp_of(groom.head);

@@ -12,7 +12,11 @@ namespace lancret {
 /// The head: an ellipsoid about the origin, Y up, the face towards +Z. Half axes, cm.
 inline const Vec3 kMadeHead{7.5, 11, 9.5};
 
+/// What is made: hair on a head (make_groom) or grass on a hill (made_lawn.h).
+enum class MadeKind { head, lawn };
+
 struct MadeGroomSettings {
+    MadeKind kind = MadeKind::head;
     int strands = 400;
     int points = 64;       ///< of each strand, at least 4
     double shortest = 25;  ///< cm, at the nape
@@ -31,6 +35,7 @@ struct MadeGroom {
     TriangleMesh head;   ///< all of it, with UVs: u about Y from the face, v upwards
     TriangleMesh scalp;  ///< the part within the hairline, with the head's UVs
     /// From the hairline over the crown, on `scalp`; behind its end the hair closes. cm
+    /// Empty on a lawn.
     std::vector<Vec3> parting;
     Strands strands;  ///< roots on `scalp`; points evenly spaced
 };
@@ -46,5 +51,8 @@ struct MadeGroom {
 /// std::invalid_argument where a setting is out of its range: strands and lengths above
 /// 0, waves, spreads and frizz of 0 or more and finite.
 MadeGroom make_groom(const MadeGroomSettings& settings);
+
+/// Throws std::invalid_argument where a setting is out of its range.
+void check_made(const MadeGroomSettings& settings);
 
 }  // namespace lancret

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 namespace lancret {
 
@@ -56,6 +57,24 @@ void bspline_points(std::span<const HelixState<float>> states, float ds,
     const Vec3f last = 6 * place(n) - 4 * smoothed(n) - smoothed(n - 1);
     points[0] = point(root + first, radius(-1));
     points[n + 2] = point(root + last, radius(n + 1));
+}
+
+void ribbon_normals(std::span<const HelixState<float>> states,
+                    std::span<Point4f> normals) {
+    const std::size_t n = states.size() - 1;
+    assert(normals.size() == n + 3);
+    const Mat3f& root = states[0].frame;
+    const Vec3f chord = root.transpose() * (states[n].position - states[0].position);
+    const float bend = std::hypot(chord.y(), chord.z());
+    const bool straight = !(bend > 1e-4f * chord.norm());
+    const float y = straight ? 1 : chord.y() / bend, z = straight ? 0 : chord.z() / bend;
+    const auto normal = [&](std::size_t i) -> Vec3f {
+        return y * states[i].frame.col(1) + z * states[i].frame.col(2);
+    };
+    for (std::size_t i = 0; i <= n; ++i) normals[i + 1] = point(normal(i), 0);
+    // Such that the normal at the ends is that of the ends.
+    normals[0] = point(2 * normal(0) - normal(1), 0);
+    normals[n + 2] = point(2 * normal(n) - normal(n - 1), 0);
 }
 
 void hermite_points(std::span<const HelixState<float>> states, float ds,

@@ -27,6 +27,13 @@ constexpr std::uint32_t control_points_of(CurveBasis basis, std::uint32_t interv
 void bspline_points(std::span<const HelixState<float>> states, float ds,
                     const Vec3f& root, const Taper& taper, std::span<Point4f> points);
 
+/// The face of a ribbon along that B-spline: control points of its normal. It lies at a
+/// fixed angle in the strand's own frame, so that it turns with the strand, and so that
+/// the strand bends over its face and not over its edge: towards where the tip is, seen
+/// along the root. A straight strand faces along n1. `normals` has n + 3.
+void ribbon_normals(std::span<const HelixState<float>> states,
+                    std::span<Point4f> normals);
+
 /// The same as cubic Hermite: the places and their tangents times `ds`; both spans have n
 /// + 1.
 void hermite_points(std::span<const HelixState<float>> states, float ds,

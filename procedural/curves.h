@@ -13,8 +13,9 @@ enum class CurveBasis {
     hermite,  ///< points with derivatives, segments + 1 a strand
 };
 enum class CurveShape {
-    flat,   ///< ribbons that face the ray: strands near or below a pixel
-    round,  ///< swept circles: close-ups
+    flat,    ///< ribbons that face the ray: strands near or below a pixel
+    round,   ///< swept circles: close-ups
+    ribbon,  ///< bands with a face of their own, B-splines alone: grass, feathers
 };
 
 /// Strands as control points, every strand with the same number of segments. Segment j of
@@ -28,6 +29,8 @@ struct Curves {
     std::uint32_t points_per_strand = 0;
     Buffer<Point4f> points;    ///< [strands * points_per_strand], cm, w is the radius
     Buffer<Point4f> tangents;  ///< Hermite alone: [points], cm a segment, w is dr/dt
+    Buffer<Point4f> normals;   ///< ribbons, and elliptic strands: [points], control
+                               ///< points of the face's normal, of any length; else none
     Buffer<std::uint32_t>
         segments;  ///< [strands * segments_per_strand], first control point
 
@@ -35,7 +38,7 @@ struct Curves {
         return segment / segments_per_strand;
     }
     std::size_t bytes() const {
-        return points.bytes() + tangents.bytes() + segments.bytes();
+        return points.bytes() + tangents.bytes() + normals.bytes() + segments.bytes();
     }
 };
 

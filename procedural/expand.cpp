@@ -34,7 +34,11 @@ Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
     out.points = Buffer<Point4f>(strands * out.points_per_strand);
     out.segments = Buffer<std::uint32_t>(strands * n);
     const bool hermite = settings.basis == CurveBasis::hermite;
+    const bool faces = settings.faces || settings.shape == CurveShape::ribbon;
+    if (hermite && faces)
+        throw std::invalid_argument("expand: faces are of B-splines alone");
     if (hermite) out.tangents = Buffer<Point4f>(out.points.size());
+    if (faces) out.normals = Buffer<Point4f>(out.points.size());
 
     const auto expand_chunk = [&](const tbb::blocked_range<std::size_t>& chunk) {
         std::vector<HelixState<float>> states(n + 1);
@@ -49,6 +53,10 @@ Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
                                out.tangents.span().subspan(first, out.points_per_strand));
             } else {
                 bspline_points(states, ds, root, settings.taper, points);
+            }
+            if (faces) {
+                ribbon_normals(states,
+                               out.normals.span().subspan(first, out.points_per_strand));
             }
             for (std::size_t j = 0; j < n; ++j) {
                 out.segments[i * n + j] = std::uint32_t(first + j);

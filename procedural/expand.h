@@ -14,6 +14,7 @@ struct ExpandSettings {
     Blend blend = Blend::detail;
     CurveBasis basis = CurveBasis::bspline;
     CurveShape shape = CurveShape::flat;
+    bool faces = false;  ///< whether to give the normals of strands that are no ribbons
     Taper taper{};
     std::uint32_t chunk = 256;  ///< strands that one task expands at a time, >= 1
 };

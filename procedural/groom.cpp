@@ -18,7 +18,8 @@ constexpr std::int64_t kMostStrands = 100'000'000;
 constexpr std::string_view kAxes[] = {"X", "Y", "Z"};
 constexpr std::string_view kBases[] = {"catmull-rom", "bspline"};
 constexpr std::string_view kCurveBases[] = {"bspline", "hermite"};
-constexpr std::string_view kShapes[] = {"flat", "round"};
+constexpr std::string_view kMadeKinds[] = {"head", "lawn"};
+constexpr std::string_view kShapes[] = {"flat", "round", "ribbon"};
 
 template <class T, class U>
 void set(T& to, const std::optional<U>& value) {
@@ -35,6 +36,7 @@ void read_scene(const TomlTable& scene, SceneUnits& out) {
 }
 
 void read_made(const TomlTable& made, MadeGroomSettings& out) {
+    if (const auto kind = made.choice("kind", kMadeKinds)) out.kind = MadeKind(*kind);
     set(out.strands, made.integer("strands", 1, 1'000'000));
     set(out.seed, made.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     set(out.shortest, made.number("shortest", 0.1, 200));
@@ -93,7 +95,12 @@ void read_strands(const TomlTable& strands, Groom& out) {
         out.expand.basis = *basis == 0 ? CurveBasis::bspline : CurveBasis::hermite;
     }
     if (const auto shape = strands.choice("shape", kShapes)) {
-        out.expand.shape = *shape == 0 ? CurveShape::flat : CurveShape::round;
+        out.expand.shape = CurveShape(*shape);
+    }
+    if (out.expand.shape == CurveShape::ribbon &&
+        out.expand.basis == CurveBasis::hermite) {
+        strands.fail("shape",
+                     "a 'ribbon' is drawn as B-splines: leave 'curve' at bspline");
     }
 }
 

@@ -12,6 +12,7 @@
 #include "guides/farthest_points.h"
 #include "guides/guide_cache.h"
 #include "guides/hair_file.h"
+#include "guides/made_lawn.h"
 #include "guides/obj_file.h"
 #include "procedural/stopwatch.h"
 
@@ -63,11 +64,12 @@ void check_places(const std::vector<Vec3f>& places, const std::filesystem::path&
 LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
     LoadedGroom out;
     if (groom.strands_file.empty()) {
-        MadeGroom made = make_groom(groom.made);
+        MadeGroom made = groom.made.kind == MadeKind::lawn ? make_lawn(groom.made)
+                                                           : make_groom(groom.made);
         out.strands = std::move(made.strands);
         out.scalp = std::move(made.scalp);
         out.body = std::move(made.head);
-        out.partings = {std::move(made.parting)};
+        if (!made.parting.empty()) out.partings = {std::move(made.parting)};
     } else {
         HairReport report;
         out.strands = read_hair(groom.strands_file, &report);

@@ -29,7 +29,10 @@ bool is_clean(const CheckView& view, const Hit& hit) {
 /// The colour of what is there itself.
 Vec3f surface_colour(const CheckView& view, const Ray& ray, const Hit& hit) {
     if (hit.kind == Hit::Kind::mesh) {
-        return Vec3f::Constant(0.06f * shade(hit.normal.dot(ray.direction)));
+        return Vec3f::Constant(0.06f * shade(hit.shading_normal.dot(ray.direction)));
+    }
+    if (hit.ribbon) {
+        return strand_colour(view, hit) * shade(hit.shading_normal.dot(ray.direction));
     }
     const float across = std::sqrt(std::max(0.0f, 1 - hit.h * hit.h));
     return strand_colour(view, hit) * shade(hit.facing.dot(ray.direction) * across);
@@ -103,11 +106,17 @@ std::shared_ptr<const StrandsApart> strands_apart(const CheckView& view,
     chosen.points = Buffer<Point4f>(chosen.strands * points);
     const bool hermite = curves.basis == CurveBasis::hermite;
     chosen.tangents = Buffer<Point4f>(hermite ? chosen.points.size() : 0);
+    const bool faces = curves.normals.size() > 0;
+    chosen.normals = Buffer<Point4f>(faces ? chosen.points.size() : 0);
     chosen.segments = Buffer<std::uint32_t>(std::size_t(chosen.strands) * segments);
     for (std::uint32_t i = 0; i < chosen.strands; ++i) {
         const std::size_t from = out->strands[i] * points;
         std::copy_n(curves.points.data() + from, points,
                     chosen.points.data() + i * points);
+        if (faces) {
+            std::copy_n(curves.normals.data() + from, points,
+                        chosen.normals.data() + i * points);
+        }
         if (hermite) {
             std::copy_n(curves.tangents.data() + from, points,
                         chosen.tangents.data() + i * points);

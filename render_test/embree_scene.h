@@ -37,7 +37,11 @@ struct Hit {
     Vec3f position = Vec3f::Zero();  ///< cm
     Vec3f normal = Vec3f::UnitZ();   ///< unit. A mesh: by its winding, towards either
                                      ///< side. Flat strands: across the tangent, to the
-                                     ///< ray's origin. Round strands: outward.
+                                     ///< ray's origin. Round strands: outward. Ribbons:
+                                     ///< across them, towards either side.
+    Vec3f shading_normal = Vec3f::UnitZ();  ///< a mesh and ribbons: unit, smooth, on the
+                                            ///< side of the ray's origin
+    Vec3f lift = Vec3f::Zero();  ///< a mesh: cm, to where rays start (smooth_normals.h)
     Vec3f tangent =
         Vec3f::UnitX();  ///< unit, root to tip; of a mesh, along its first edge
     Vec3f facing = Vec3f::UnitZ();  ///< strands: unit, across the tangent and nearest to
@@ -45,8 +49,11 @@ struct Hit {
     Vec3f offset = Vec3f::Zero();   ///< strands: from the axis to the hit, across the
                                     ///< tangent, cm
     float radius = 0;               ///< strands: cm
-    float h = 0;               ///< strands: offset . (facing x tangent) / radius, -1..1
-    float along = 0;           ///< strands: 0 at the root to 1 at the tip
+    float h = 0;      ///< strands: offset . (facing x tangent) over half of the
+                      ///< width that is seen, -1..1
+    float along = 0;  ///< strands: 0 at the root to 1 at the tip
+    float aspect = 1, section_angle = 0;  ///< strands: StrandSection's
+    bool ribbon = false;       ///< strands: a surface, and no stand-in for a cylinder
     float opacity = 1;         ///< strands: true radius / drawn radius, where the ray is
                                ///< not by chance
     Vec2f uv = Vec2f::Zero();  ///< a mesh with UVs
@@ -59,6 +66,12 @@ struct HairSceneOptions {
     /// [points of a time's curves], cm: strands drawn wider than they are let rays by
     /// (thin_strands.h). Empty: they are as drawn. Must outlive the scene.
     std::span<const float> true_radii = {};
+    /// Radian: meshes are smooth but for edges that are sharper. 0 shows every facet.
+    float crease = 0;
+    /// Minor over major axis of a strand's section, above 0 to 1; the radius is half the
+    /// major axis, and the minor one lies along the strand's face (Curves::normals).
+    /// Below 1 strands must be flat B-splines.
+    float aspect = 1;
 };
 
 /// What there is at one time.

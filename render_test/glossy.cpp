@@ -3,8 +3,6 @@
 namespace lancret {
 namespace {
 
-constexpr float kEta = 1.5f;
-
 float square(float x) { return x * x; }
 
 /// GGX: the density of facets of unit normal `m`, by projected area.
@@ -36,7 +34,7 @@ Glossy::Glossy(const MeshMaterial& material, const Hit& hit, const Vec3f& wo)
       alpha_(square(std::max(*material.coat_roughness, 0.05f))) {
     wo_.z() = std::max(wo_.z(), 1e-4f);
     wo_.normalize();
-    fresnel_ = fresnel_dielectric(wo_.z(), kEta);
+    fresnel_ = fresnel_dielectric(wo_.z(), kCoatEta);
     coat_ = fresnel_ / (fresnel_ + (1 - fresnel_) * luminance(colour_));
 }
 
@@ -45,8 +43,8 @@ BsdfValue Glossy::evaluate(const Vec3f& wi) const {
     const Vec3f m = (wi + wo_).normalized();
     const float d = facets(m, alpha_) / (4 * wo_.z());
     const float out = hidden(wo_, alpha_), in = hidden(wi, alpha_);
-    const float f = fresnel_dielectric(std::min(m.dot(wo_), 1.0f), kEta);
-    const float through = (1 - fresnel_) * (1 - fresnel_dielectric(wi.z(), kEta));
+    const float f = fresnel_dielectric(std::min(m.dot(wo_), 1.0f), kCoatEta);
+    const float through = (1 - fresnel_) * (1 - fresnel_dielectric(wi.z(), kCoatEta));
     BsdfValue at;
     at.value =
         Vec3f::Constant(f * d / (1 + out + in)) + colour_ * (through * wi.z() / kPi);

@@ -5,6 +5,8 @@
 
 namespace lancret {
 
+inline constexpr float kCoatEta = 1.5f;  ///< index of refraction of a coat
+
 /// The surface at one hit, of a material with a `coat_roughness`. Local axes and values
 /// as Lambert's; `wo` points to the viewer, z >= 0. The coat is a dielectric of index 1.5
 /// with GGX facets [Walter et al. 2007] and height-correlated masking [Heitz 2014]; under

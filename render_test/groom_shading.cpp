@@ -18,14 +18,18 @@ Vec3f groom_radiance(const RenderScene& scene, const Ray& ray, const Hit& hit,
                      Sampler& sampler, RayCounter& counter) {
     const Vec2f light_random = sampler.next(), picks = sampler.next();
     Mat3f frame;
-    if (hit.kind == Hit::Kind::strand)
+    if (hit.kind == Hit::Kind::strand && !hit.ribbon)
         frame << hit.tangent, hit.facing.cross(hit.tangent), hit.facing;
     else
-        frame = frame_about(hit.normal.dot(ray.direction) < 0 ? hit.normal
-                                                              : Vec3f(-hit.normal));
+        frame = frame_about(hit.shading_normal);
+    std::optional<Blade> blade;
+    if (hit.ribbon)
+        blade.emplace(scene.blade, scene.hair.colour(hit.strand, hit.along),
+                      frame.transpose() * -ray.direction);
     const auto value = [&](const Vec3f& wi) -> Vec3f {
         if (hit.kind == Hit::Kind::mesh)
             return Lambert(scene.mesh, hit).evaluate(wi).value;
+        if (blade) return blade->evaluate(wi).value;
         return groom_value(scene.hair.colour(hit.strand, hit.along), wi);
     };
     const ChosenLight chosen = choose_light(

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "render_test/sampling.h"
+#include "render_test/strand_section.h"
 
 namespace lancret {
 namespace {
@@ -158,6 +159,36 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo
     // wo's azimuth is pi / 2 [Marschner et al. 2003, Eq. 3].
     const Array4f order(0, 1, 2, 3);
     phi_ = kPi / 2 - 2 * gamma_o + order * (2 * gamma_t + kPi);
+}
+
+HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo, float h,
+                   const StrandSection& section)
+    : HairBsdf(model, sigma_a, wo, h) {
+    if (section.aspect == 1) return;
+    const float sine_o = std::clamp(wo.x(), -1.0f, 1.0f);
+    const float cosine_o = std::max(1e-4f, std::sqrt(1 - square(sine_o)));
+    const float bravais = std::sqrt(square(model.eta) - square(sine_o)) / cosine_o;
+    const SectionPaths paths = section_paths(section, h, cosine_o, bravais, model.eta);
+    const auto& f = paths.fresnel;
+    const float enters = 1 - f[0];
+    const float inverse_cosine = 1 / std::sqrt(1 - square(sine_o / model.eta));
+    const auto transmitted = [&](float chord) -> Vec3f {
+        return (-sigma_a.array() * chord * inverse_cosine).exp();
+    };
+    const Vec3f first = transmitted(paths.chord[0]), second = transmitted(paths.chord[1]);
+    const Vec3f inside = enters * f[1] * first.cwiseProduct(second);
+    attenuation_[0].setConstant(f[0]);
+    attenuation_[1] = enters * (1 - f[1]) * first;
+    attenuation_[2] = (1 - f[2]) * inside;
+    // What stays in goes on as in a circle, by the first Fresnel term and last chord.
+    attenuation_[3].setZero();
+    if (enters > 0)
+        attenuation_[3] = (f[2] * inside.array() * enters * second.array() /
+                           (enters + f[0] * (1 - second.array())))
+                              .matrix();
+    for (int p = 0; p < kHairLobes; ++p) probability_[p] = luminance(attenuation_[p]);
+    probability_ /= probability_.sum();
+    for (int p = 0; p + 1 < kHairLobes; ++p) phi_[p] = paths.azimuth[p];
 }
 
 Array4f HairBsdf::densities(float sine_i, float cosine_i, float phi_i) const {

@@ -46,6 +46,8 @@ struct HairModel {
     float s_tail;  ///< its distribution function at -pi, untrimmed
 };
 
+struct StrandSection;
+
 /// The lobes at one hit.
 class HairBsdf {
   public:
@@ -54,6 +56,10 @@ class HairBsdf {
         : HairBsdf(model, model.sigma_a, wo, h) {}
     /// With an absorption of this hit's own (per radius) in place of the model's.
     HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo, float h);
+    /// Of an elliptic section (strand_section.h): the same lobes about the paths that a
+    /// ray takes through it. Of a circle the same bits as without.
+    HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo, float h,
+             const StrandSection& section);
 
     BsdfValue evaluate(const Vec3f& wi) const;
     /// M N of one lobe: its density, which integrates to one over the sphere.

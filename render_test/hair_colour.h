@@ -18,6 +18,7 @@ struct HairMaterial {
     float beta_n = 0.3f;           ///< azimuthal roughness, 0.01 to 1
     float tilt = 0.035f;           ///< of the cuticle's scales, radian (2 degrees)
     float eta = 1.55f;             ///< index of refraction, 1.01 to 5
+    float aspect = 1;  ///< of a strand's section, minor over major axis, 0.1 to 1
 
     float melanin_variation = 0;    ///< 0..1: a strand absorbs 1 -+ this times as much
     float roughness_variation = 0;  ///< 0..1: and is 1 -+ this times as rough

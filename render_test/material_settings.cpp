@@ -31,6 +31,7 @@ void read_material(const TomlTable& material, HairMaterial& hair, MeshMaterial& 
     set(hair.beta_n, material.number("azimuthal_roughness", 0.01, 1));
     set(hair.tilt, angle_value(material, "tilt_degrees", -20, 20));
     set(hair.eta, material.number("eta", 1.01, 5));
+    set(hair.aspect, material.number("aspect", 0.1, 1));
     set(hair.melanin_variation, material.number("melanin_variation", 0, 1));
     set(hair.roughness_variation, material.number("roughness_variation", 0, 1));
     set(hair.seed, material.integer("seed", 0, std::int64_t(1) << 62));

@@ -8,6 +8,7 @@
 #include "render_test/groom_shading.h"
 #include "render_test/light_choice.h"
 #include "render_test/sampling.h"
+#include "render_test/strand_section.h"
 
 namespace lancret {
 namespace {
@@ -84,15 +85,22 @@ bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& 
              int depth, Sampler& sampler, Path& path) {
     const Vec3f wo = -path.ray.direction;
     Mat3f frame;
+    if (hit.ribbon) {
+        frame = frame_about(hit.shading_normal);
+        const Blade blade(scene.blade, scene.hair.colour(hit.strand, hit.along),
+                          frame.transpose() * wo);
+        return scatter(scene, settings, hit, blade, frame, sampler, path);
+    }
     if (hit.kind == Hit::Kind::strand) {
         frame << hit.tangent, hit.facing.cross(hit.tangent), hit.facing;
         const HairLook& hair =
             depth > 0 && scene.later_hair ? *scene.later_hair : scene.hair;
         const HairBsdf bsdf(hair.model(hit.strand), hair.sigma_a(hit.strand, hit.along),
-                            frame.transpose() * wo, hit.h);
+                            frame.transpose() * wo, hit.h,
+                            {hit.aspect, hit.section_angle});
         return scatter(scene, settings, hit, bsdf, frame, sampler, path);
     }
-    frame = frame_about(hit.normal.dot(wo) > 0 ? hit.normal : Vec3f(-hit.normal));
+    frame = frame_about(hit.shading_normal);
     if (scene.mesh.coat_roughness)
         return scatter(scene, settings, hit,
                        Glossy(scene.mesh, hit, frame.transpose() * wo), frame, sampler,
@@ -193,11 +201,15 @@ Ray ray_from(const Hit& hit, const Vec3f& side, const Vec3f& direction, float ti
     ray.direction = direction;
     ray.time = time;
     const float rounding = 1e-5f * (1 + hit.position.cwiseAbs().maxCoeff());
-    if (hit.kind == Hit::Kind::strand) {
+    if (hit.ribbon) {
+        // Embree finds a ribbon's surface to about a thousandth of its width.
+        const float off = rounding + 2e-3f * hit.radius;
+        ray.origin = hit.position + (direction.dot(side) < 0 ? -off : off) * side;
+    } else if (hit.kind == Hit::Kind::strand) {
         ray.origin = hit.position;
         ray.near = strand_clearance(hit, direction) + 0.1f * rounding;
     } else {
-        ray.origin = hit.position + rounding * side;
+        ray.origin = hit.position + hit.lift + rounding * side;
     }
     return ray;
 }

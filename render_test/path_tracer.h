@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "render_test/blade.h"
 #include "render_test/embree_scene.h"
 #include "render_test/hair_look.h"
 #include "render_test/lambert.h"
@@ -28,6 +29,7 @@ struct RenderScene {
     /// `hair`.
     std::optional<HairLook> later_hair;
     MeshMaterial mesh;
+    BladeMaterial blade;  ///< of ribbons
     Lights lights;
     const CheckView* view = nullptr;  ///< false colours in place of light; or none
 };
@@ -77,7 +79,8 @@ struct PathResult {
 PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ray ray,
                       Sampler& sampler);
 
-/// A ray from a hit; `side` is the unit normal of a mesh on the side that it leaves to.
+/// A ray from a hit; `side` is the unit normal of a mesh on the side that it leaves to,
+/// of a ribbon on either.
 Ray ray_from(const Hit& hit, const Vec3f& side, const Vec3f& direction, float time);
 
 /// How far from a strand's hit a ray in `direction` starts to count, cm. Scattering has

@@ -33,6 +33,12 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
         render.integer("motion_samples", 2, std::int64_t(kMostSceneTimes)));
 }
 
+void read_surfaces(const TomlTable& material, PreviewSettings& out) {
+    set(out.blade.translucency, material.number("translucency", 0, 1));
+    set(out.blade.coat_roughness, material.number("blade_roughness", 0.05, 1));
+    set(out.crease, angle_value(material, "scalp_crease_degrees", 0, 180));
+}
+
 }  // namespace
 
 std::optional<HairLook> later_hair(const PreviewSettings& settings) {
@@ -49,6 +55,7 @@ PreviewSettings read_preview_settings(const TomlTable& toml, const Vec3f& up) {
     PreviewSettings out;
     read_material(toml.table("material"), out.hair, out.mesh,
                   out.render.path.groom_shading);
+    read_surfaces(toml.table("material"), out);
     out.camera = read_camera(toml.table("camera"));
     out.lights = read_lights(toml.table("light"), up);
     read_render(toml.table("render"), out);

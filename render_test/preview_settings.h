@@ -12,6 +12,8 @@ namespace lancret {
 struct PreviewSettings {
     HairMaterial hair;
     MeshMaterial mesh;
+    BladeMaterial blade;
+    float crease = 1.05f;  ///< radian: HairSceneOptions'
     RenderSettings render;
     CameraSettings camera;
     float least_width = 0;         ///< pixels that a strand is drawn wide at least

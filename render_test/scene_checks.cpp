@@ -10,6 +10,10 @@ void check_indices(const Curves& curves, const TriangleMesh* mesh) {
     const std::size_t reach = hermite ? 2 : 4;
     if (hermite && curves.tangents.size() != curves.points.size())
         throw std::invalid_argument("Hermite strands need one tangent a point");
+    if ((curves.shape == CurveShape::ribbon || curves.normals.size() > 0) &&
+        (hermite || curves.normals.size() != curves.points.size()))
+        throw std::invalid_argument(
+            "strands with a face are B-splines with one normal a point");
     if (curves.segments.size() !=
         std::size_t(curves.strands) * curves.segments_per_strand)
         throw std::invalid_argument("strands times segments a strand is not the count");
@@ -44,6 +48,7 @@ void check_alike(const SceneTime& first, const SceneTime& other) {
     if (a.basis != b.basis || a.shape != b.shape || a.strands != b.strands ||
         a.points_per_strand != b.points_per_strand ||
         a.points.size() != b.points.size() || a.tangents.size() != b.tangents.size() ||
+        a.normals.size() != b.normals.size() ||
         !std::ranges::equal(a.segments.span(), b.segments.span()))
         throw std::invalid_argument("a scene's strands are the same at all times");
     if (first.mesh && (first.mesh->triangles != other.mesh->triangles ||

@@ -35,6 +35,14 @@ AxisPoint axis_point(const Curves& curves, std::uint32_t segment, float u) {
             6 * u * t * (b - a) + t * (t - 2 * u) * da + u * (u - 2 * t) * db};
 }
 
+Vec3f face_normal(const Curves& curves, std::uint32_t segment, float u) {
+    const Point4f* n = curves.normals.data() + curves.segments[segment];
+    const float t = 1 - u;
+    return (t * t * t * n[0].xyz() + (4 - 3 * u * u * (2 - u)) * n[1].xyz() +
+            (4 - 3 * t * t * (2 - t)) * n[2].xyz() + u * u * u * n[3].xyz()) /
+           6;
+}
+
 // The axis is linear in its control points, and so blending it blends them.
 AxisPoint axis_point(const Curves& from, const Curves& to, float share,
                      std::uint32_t segment, float u) {

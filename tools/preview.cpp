@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 
+#include "guides/errors.h"
 #include "procedural/check_figures.h"
 #include "render_test/contact_sheet.h"
 #include "tools/preview_options.h"
@@ -70,6 +71,18 @@ void print_picture(const std::filesystem::path& output, const Generator& generat
         double(peak_rss()) / 1e6);
 }
 
+/// Has strands grown with the faces that elliptic ones need. Throws InputError.
+void ask_for_faces(Job& job) {
+    if (job.groom.expand.shape != CurveShape::flat ||
+        job.groom.expand.basis != CurveBasis::bspline) {
+        throw InputError(fmt::format(
+            "{}: 'aspect' of [material] is of strands that are drawn as 'flat' "
+            "B-splines; leave out 'shape' and 'curve' of [strands]",
+            job.groom.name));
+    }
+    job.groom.expand.faces = true;
+}
+
 int preview(const PreviewOptions& options) {
     Job job = read_job(options.groom);
     const ChosenFrames chosen = chosen_frames(options.frames, job, false);
@@ -77,6 +90,7 @@ int preview(const PreviewOptions& options) {
     lay_over(options, chosen, job.preview);
     std::optional<ViewRequest> request = view_request(options);
     const RenderSettings& settings = job.preview.render;
+    if (job.preview.hair.aspect < 1) ask_for_faces(job);
 
     Generator generator = run_generator(job.groom);
     const RestPlaces rest = prepare_frames(generator, chosen, job);
@@ -86,6 +100,7 @@ int preview(const PreviewOptions& options) {
     scene.hair = HairLook(job.preview.hair);
     scene.later_hair = later_hair(job.preview);
     scene.mesh = job.preview.mesh;
+    scene.blade = job.preview.blade;
     std::optional<ContactSheet> sheet;
     if (!options.contact_sheet.empty()) {
         sheet = make_contact_sheet(outputs.size(), settings.width, settings.height,

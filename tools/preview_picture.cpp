@@ -84,7 +84,9 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
                                    job.preview.render.height, job.preview.least_width);
         }
     }
-    HairScene geometry(scene_times(moments), {.true_radii = moments.front().true_radii});
+    HairScene geometry(scene_times(moments), {.true_radii = moments.front().true_radii,
+                                              .crease = job.preview.crease,
+                                              .aspect = job.preview.hair.aspect});
     cost.bvh = geometry.build_seconds();
     cost.bvh_bytes = geometry.bvh_bytes();
     return geometry;

@@ -174,5 +174,47 @@ TEST(ControlPoints, CountsFollowTheBasis) {
     EXPECT_EQ(control_points_of(CurveBasis::hermite, 5), 6u);
 }
 
+/// The face at the interval's start and middle, by the B-spline of its control points.
+Vec3f face_at(std::span<const Point4f> normals, std::size_t interval, bool middle) {
+    const Point4f* n = normals.data() + interval;
+    const Vec3f sum =
+        middle ? Vec3f(n[0].xyz() + 23 * n[1].xyz() + 23 * n[2].xyz() + n[3].xyz())
+               : Vec3f(n[0].xyz() + 4 * n[1].xyz() + n[2].xyz());
+    return sum.normalized();
+}
+
+TEST(RibbonNormals, AStrandBendsOverItsFace) {
+    // A circle in the plane of n0 and a direction at angle 0.7 between n1 and n2: the
+    // face is the circle's own normal, in that plane, at every place. The control point
+    // beyond an end is short by turn^2 along the normal there, of which the middle of the
+    // interval takes 1 / 48 and sees it under half the turn: turn^3 / 96 = 3.5e-5 at
+    // 0.15.
+    const float angle = 0.7f;
+    const Vec3 bend = std::cos(angle) * Vec3::UnitY() + std::sin(angle) * Vec3::UnitZ();
+    const Vec3 u = 0.3 * Vec3::UnitX().cross(bend);
+    const auto states = helix_states(u, 0.5, 10);
+    std::vector<Point4f> normals(13);
+    ribbon_normals(states, normals);
+    for (std::size_t j = 0; j < 10; ++j)
+        for (const bool middle : {false, true}) {
+            const double turned = 0.15 * (double(j) + (middle ? 0.5 : 0));
+            const Vec3 face = std::cos(turned) * bend - std::sin(turned) * Vec3::UnitX();
+            EXPECT_LT((face_at(normals, j, middle) - face.cast<float>()).norm(), 4e-5f)
+                << j;
+        }
+}
+
+TEST(RibbonNormals, AStraightStrandFacesAlongItsFrameAndTurnsWithIt) {
+    // Twist alone: the face is n1, which turns by 0.2 an interval about the tangent.
+    const auto states = helix_states(Vec3(0.4, 0, 0), 0.5, 8);
+    std::vector<Point4f> normals(11);
+    ribbon_normals(states, normals);
+    for (std::size_t j = 0; j < 8; ++j) {
+        const double turned = 0.2 * double(j);
+        const Vec3 face(0, std::cos(turned), std::sin(turned));
+        EXPECT_LT((face_at(normals, j, false) - face.cast<float>()).norm(), 2e-5f) << j;
+    }
+}
+
 }  // namespace
 }  // namespace lancret

@@ -170,5 +170,16 @@ TEST(GuideCount, NeverAsksForMoreThanThereAre) {
     EXPECT_EQ((GuideCount{.number = {}, .share = 1.0}.of(33)), 33u);
 }
 
+TEST(Groom, RibbonsAreBSplinesAlone) {
+    const Groom lawn =
+        groom_of("[guides.made]\nkind = 'lawn'\n[strands]\nshape = 'ribbon'\n");
+    EXPECT_EQ(lawn.made.kind, MadeKind::lawn);
+    EXPECT_EQ(lawn.expand.shape, CurveShape::ribbon);
+    const std::string error =
+        error_of("[strands]\nshape = 'ribbon'\ncurve = 'hermite'\n");
+    EXPECT_THAT(error, StartsWith("g.toml:2:"));
+    EXPECT_THAT(error, HasSubstr("bspline"));
+}
+
 }  // namespace
 }  // namespace lancret
