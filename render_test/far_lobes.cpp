@@ -72,21 +72,13 @@ FarHairBsdf::FarHairBsdf(const HairModel& model, const FarTable& table,
     density_ = (unabsorbed > 0).select(probability_ / unabsorbed, 0.0f);
 }
 
-FarTable::Node FarHairBsdf::node(const std::vector<FarTable::Node>& nodes, int cells,
-                                 float phi) const {
-    const Place cell = place_of(phi / kPi, cells);
-    const FarTable::Node* here = &nodes[std::size_t(row_) * (cells + 1) + cell.span];
-    const FarTable::Node* next = here + cells + 1;
+FarTable::Node FarHairBsdf::node(float phi) const {
+    const Place cell = place_of(phi / kPi, table_->cells);
+    const std::size_t first = std::size_t(row_) * (table_->cells + 1) + cell.span;
+    const FarTable::Node* here = &table_->nodes[first];
+    const FarTable::Node* next = here + table_->cells + 1;
     return between(between(here[0], here[1], cell.share),
                    between(next[0], next[1], cell.share), share_);
-}
-
-Vec3f FarHairBsdf::sum_of_lobes(const Array4f& m, const FarTable::Node& n) const {
-    Vec3f sum = energy_[3] * (m[3] / (2 * kPi));
-    for (int channel = 0; channel < 3; ++channel)
-        sum[channel] += m[0] * n.r + m[1] * absorbed(n.tt, once_[channel]) +
-                        m[2] * absorbed(n.trt, twice_[channel]);
-    return sum;
 }
 
 BsdfValue FarHairBsdf::evaluate(const Vec3f& wi) const {
@@ -95,26 +87,15 @@ BsdfValue FarHairBsdf::evaluate(const Vec3f& wi) const {
 }
 
 BsdfValue FarHairBsdf::evaluate(float sine_i, float cosine_i, float phi) const {
-    const FarTable::Node n = node(table_->nodes, table_->cells, phi);
+    const FarTable::Node n = node(phi);
     const Array4f m = longitudinal(*model_, wo_, sine_i, cosine_i);
-    const Array4f unabsorbed(n.r, n.tt.sum(), n.trt.sum(), 1);
-    return {sum_of_lobes(m, n), (m * density_ * unabsorbed.max(0)).sum()};
-}
-
-Vec3f FarHairBsdf::value_of_spread_light(const Vec3f& wi, float variance) const {
-    HairModel wide = *model_;
-    wide.variance += variance;
-    wide.spread = 1 - (-2 / wide.variance).exp();
-    const Array4f m =
-        longitudinal(wide, wo_, std::clamp(wi.x(), -1.0f, 1.0f), length_across(wi));
-    return sum_of_lobes(
-        m, node(table_->half_turns, kFarHalfTurns, std::atan2(std::abs(wi.y()), wi.z())));
-}
-
-Vec3f FarHairBsdf::half_turn_energy(float phi) const {
-    // The mean over half a turn, times it.
-    return kPi *
-           sum_of_lobes(Array4f::Ones(), node(table_->half_turns, kFarHalfTurns, phi));
+    BsdfValue at;
+    at.value = energy_[3] * (m[3] / (2 * kPi));
+    for (int channel = 0; channel < 3; ++channel)
+        at.value[channel] += m[0] * n.r + m[1] * absorbed(n.tt, once_[channel]) +
+                             m[2] * absorbed(n.trt, twice_[channel]);
+    at.pdf = (m * density_ * Array4f(n.r, n.tt.sum(), n.trt.sum(), 1).max(0)).sum();
+    return at;
 }
 
 /// |phi| of a lobe, from the share of samples that each row has in the linear mix of two,

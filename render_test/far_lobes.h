@@ -17,14 +17,11 @@
 #include <vector>
 
 #include "render_test/hair_bsdf.h"
-#include "render_test/sampling.h"
 
 namespace lancret {
 
 /// Spans of the tables in cos(theta_o), 0 to 1, and of the residual's in transmittance.
 inline constexpr int kFarRows = 32, kFarDepths = 32;
-/// Spans in phi, 0 to pi, of lobes that are averaged over half a turn.
-inline constexpr int kFarHalfTurns = 16;
 
 /// The tables of a model. Linear in cos(theta_o) and phi; built in some milliseconds.
 struct FarTable {
@@ -39,13 +36,11 @@ struct FarTable {
     /// Node integrals over all phi: what of light goes into each lobe.
     using Energy = Node;
 
-    int cells;                   ///< in phi from 0, the viewer's side, to pi
-    float absorption;            ///< least c; its nodes lie between that and one
-    Eigen::Array4f c;            ///< the nodes c_k
-    std::vector<Node> nodes;     ///< [rows + 1][cells + 1]
-    std::vector<Energy> energy;  ///< [rows + 1]
-    /// Lobes averaged over half a turn about phi. [rows + 1][kFarHalfTurns + 1]
-    std::vector<Node> half_turns;
+    int cells;                    ///< in phi from 0, the viewer's side, to pi
+    float least_c;                ///< c is between that and one
+    Eigen::Array4f c;             ///< the nodes c_k
+    std::vector<Node> nodes;      ///< [rows + 1][cells + 1]
+    std::vector<Energy> energy;   ///< [rows + 1]
     std::vector<float> residual;  ///< [rows + 1][kFarDepths + 1], by exp(-a)
     /// Of phi in each of R, TT and TRT where nothing is absorbed: the share below each
     /// node, 0 to 1. [3][rows + 1][cells + 1]
@@ -69,22 +64,11 @@ class FarHairBsdf {
     /// `pick` chooses the lobe; all in [0, 1). Nothing where the density underflows.
     std::optional<BsdfSample> sample(float pick, float azimuth,
                                      const Vec2f& longitude) const;
-    /// Of light about wi that is spread evenly over half a turn across the strand, and
-    /// along it by `variance`, radian^2.
-    Vec3f value_of_spread_light(const Vec3f& wi, float variance) const;
-    /// What of the light is sent away from the viewer's half of the strand's surroundings
-    /// (phi more than a quarter turn), and what into it.
-    Vec3f forward_energy() const { return half_turn_energy(kPi); }
-    Vec3f backward_energy() const { return half_turn_energy(0); }
 
   private:
-    Vec3f half_turn_energy(float phi) const;
-    /// By channel, N and then what M makes of it.
-    Vec3f sum_of_lobes(const Eigen::Array4f& m, const FarTable::Node& n) const;
     BsdfValue evaluate(float sine_i, float cosine_i, float phi) const;
     float sampled_azimuth(int lobe, float pick, float random) const;
-    FarTable::Node node(const std::vector<FarTable::Node>& nodes, int cells,
-                        float phi) const;
+    FarTable::Node node(float phi) const;
 
     const HairModel* model_;
     const FarTable* table_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "render_test/far_lobes.h"
 #include "render_test/sampling.h"
@@ -94,40 +93,17 @@ Array4f lagrange(const Array4f& nodes, float c) {
     return out;
 }
 
-void add(float width, const FarTable::Node& node, FarTable::Node& sum) {
-    sum.r += width * node.r;
-    sum.tt += width * node.tt;
-    sum.trt += width * node.trt;
-}
-
-/// From phi = 0 to each node, by the trapezium rule: exact of what is linear between
-/// them.
-std::vector<FarTable::Node> integrals(const FarTable::Node* nodes, int cells) {
-    std::vector<FarTable::Node> sums(std::size_t(cells) + 1);
-    const float half = 0.5f * kPi / float(cells);
-    for (int j = 1; j <= cells; ++j) {
-        sums[j] = sums[j - 1];
-        add(half, nodes[j - 1], sums[j]);
-        add(half, nodes[j], sums[j]);
+/// By the trapezium rule on the whole circle: the exact integral of what is linear
+/// between nodes.
+FarTable::Energy integral(const FarTable::Node* nodes, int cells) {
+    FarTable::Energy sum;
+    for (int j = 0; j <= cells; ++j) {
+        const float width = (j == 0 || j == cells ? 1.0f : 2.0f) * kPi / float(cells);
+        sum.r += width * nodes[j].r;
+        sum.tt += width * nodes[j].tt;
+        sum.trt += width * nodes[j].trt;
     }
-    return sums;
-}
-
-/// Energies, and lobes averaged over half a turn, of nodes that are there.
-void fill_integrals(int row, FarTable& table) {
-    const int cells = table.cells, quarter = cells / 2;
-    const auto sums = integrals(&table.nodes[std::size_t(row) * (cells + 1)], cells);
-    add(2, sums[cells], table.energy[row]);
-    for (int i = 0; i <= kFarHalfTurns; ++i) {
-        const int middle = i * (cells / kFarHalfTurns);
-        FarTable::Node& mean =
-            table.half_turns[std::size_t(row) * (kFarHalfTurns + 1) + i];
-        // From a quarter turn before to one after, mirrored at 0 and at pi.
-        const int low = middle - quarter, high = middle + quarter;
-        add((low < 0 ? 1 : -1) / kPi, sums[std::abs(low)], mean);
-        add((high > cells ? -1 : 1) / kPi, sums[std::min(high, 2 * cells - high)], mean);
-        if (high > cells) add(2 / kPi, sums[cells], mean);
-    }
+    return sum;
 }
 
 void fill_row(const HairModel& model, int row, FarTable& table) {
@@ -157,6 +133,7 @@ void fill_row(const HairModel& model, int row, FarTable& table) {
         const ArrayXf t = (o.c * log_depth).exp();
         residual.tail(kFarDepths) += more * t.cube() / (1 - o.reflected * t);
     }
+    table.energy[row] = integral(nodes, cells);
 }
 
 std::array<float, 3> unabsorbed(const FarTable::Node& node) {
@@ -182,26 +159,23 @@ void fill_distribution(int row, FarTable& table) {
 
 FarTable::FarTable(const HairModel& model)
     // Cells of a fifth of D's scale, where that is not too small.
-    : cells(kFarHalfTurns *
-            std::clamp(int(std::ceil(kPi / (0.2f * model.s) / kFarHalfTurns)), 4, 32)),
-      absorption(std::sqrt(1 - 1 / (model.eta * model.eta))),
+    : cells(std::clamp(int(std::ceil(kPi / (0.2f * model.s))), 64, 512)),
+      least_c(std::sqrt(1 - 1 / (model.eta * model.eta))),
       nodes(std::size_t(kRowCount) * (cells + 1)),
       energy(kRowCount),
-      half_turns(std::size_t(kRowCount) * (kFarHalfTurns + 1)),
       residual(std::size_t(kRowCount) * kDepthCount),
       distribution(3 * std::size_t(kRowCount) * (cells + 1)) {
     for (int k = 0; k < 4; ++k)
-        c[k] = 0.5f * (1 + absorption) +
-               0.5f * (1 - absorption) * std::cos((float(k) + 0.5f) * kPi / 4);
+        c[k] = 0.5f * (1 + least_c) +
+               0.5f * (1 - least_c) * std::cos((float(k) + 0.5f) * kPi / 4);
     for (int row = 0; row < kRowCount; ++row) {
         fill_row(model, row, *this);
-        fill_integrals(row, *this);
         fill_distribution(row, *this);
     }
 }
 
 std::size_t FarTable::bytes() const {
-    return (nodes.size() + half_turns.size() + energy.size()) * sizeof(Node) +
+    return nodes.size() * sizeof(Node) + energy.size() * sizeof(Energy) +
            (residual.size() + distribution.size()) * sizeof(float);
 }
 
