@@ -1,5 +1,7 @@
 // The tables of far-field lobes, row by row of the viewer's inclination.
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -168,10 +170,10 @@ FarTable::FarTable(const HairModel& model)
     for (int k = 0; k < 4; ++k)
         c[k] = 0.5f * (1 + least_c) +
                0.5f * (1 - least_c) * std::cos((float(k) + 0.5f) * kPi / 4);
-    for (int row = 0; row < kRowCount; ++row) {
+    tbb::parallel_for(0, kRowCount, [&](int row) {
         fill_row(model, row, *this);
         fill_distribution(row, *this);
-    }
+    });
 }
 
 std::size_t FarTable::bytes() const {
