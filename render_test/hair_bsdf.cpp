@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "render_test/longitudinal.h"
 #include "render_test/sampling.h"
 #include "render_test/strand_section.h"
 
@@ -24,41 +25,6 @@ float power(float x, int n) {
     return result;
 }
 
-template <std::size_t N>
-Array4f polynomial(const Array4f& x, const std::array<float, N>& coefficients) {
-    Array4f sum = Array4f::Constant(coefficients[0]);
-    for (std::size_t i = 1; i < N; ++i) sum = sum * x + coefficients[i];
-    return sum;
-}
-
-/// The Bessel function I0(x) exp(-x - y) for x, y >= 0 [Abramowitz and Stegun,
-/// Eq. 9.8.1-9.8.2], to 2e-7 of its value but for the exponential's own error.
-Array4f bessel_i0_scaled(const Array4f& x, const Array4f& y) {
-    constexpr float kJoint = 3.75f;
-    const auto small = x < kJoint;
-    const Array4f low = x.min(kJoint) / kJoint, high = x.max(kJoint);
-    const Array4f series = polynomial<7>(
-        low.square(),
-        {0.0045813f, 0.0360768f, 0.2659732f, 1.2067492f, 3.0899424f, 3.5156229f, 1.0f});
-    const Array4f tail =
-        polynomial<9>(kJoint / high,
-                      {0.00392377f, -0.01647633f, 0.02635537f, -0.02057706f, 0.00916281f,
-                       -0.00157565f, 0.00225319f, 0.01328592f, 0.39894228f}) /
-        high.sqrt();
-    return small.select(series, tail) * (-(y + small.select(x, 0.0f))).exp();
-}
-
-/// M [d'Eon et al. 2011, Eq. 7; Chiang et al. 2016, Eq. 6] = exp(-b) I0(a) / (2 v
-/// sinh(1/v)) with a = ci co / v and b = si so / v. The exponentials are joined into
-/// exp((cos(ti + to) - 1) / v), which is at most one for any v: no branch for small v.
-Array4f longitudinal(float sine_i, float cosine_i, const Array4f& sine_o,
-                     const Array4f& cosine_o, const HairModel& model) {
-    const Array4f& v = model.variance;
-    const Array4f versine =
-        0.5f * ((sine_i + sine_o).square() + (cosine_i - cosine_o).square());
-    return bessel_i0_scaled(cosine_i * cosine_o / v, versine / v) / (v * model.spread);
-}
-
 /// N at angles within [-pi, pi]: the logistic of scale s, trimmed there [Chiang et al.
 /// 2016, Eq. 8]; the residual's is even.
 Array4f azimuthal(const Array4f& x, const HairModel& model) {
@@ -72,9 +38,6 @@ float sampled_azimuth(float random, const HairModel& model) {
     const float p = model.s_tail + random * (1 - 2 * model.s_tail);
     return std::clamp(model.s * std::log(p / (1 - p)), -kPi, kPi);
 }
-
-/// The part of a unit direction across the strand: the cosine of its inclination.
-float length_across(const Vec3f& w) { return std::sqrt(square(w.y()) + square(w.z())); }
 
 /// Angles less the whole turns nearest to them.
 Array4f wrapped(const Array4f& angle) {
@@ -154,8 +117,7 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo
 
     for (int p = 0; p < kHairLobes; ++p) probability_[p] = luminance(attenuation_[p]);
     probability_ /= probability_.sum();
-    sine_ = sine_o * model.cosine + cosine_o * model.sine;
-    cosine_ = (cosine_o * model.cosine - sine_o * model.sine).abs();
+    wo_ = turned_inclination(model, sine_o, cosine_o);
     // wo's azimuth is pi / 2 [Marschner et al. 2003, Eq. 3].
     const Array4f order(0, 1, 2, 3);
     phi_ = kPi / 2 - 2 * gamma_o + order * (2 * gamma_t + kPi);
@@ -192,7 +154,7 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo
 }
 
 Array4f HairBsdf::densities(float sine_i, float cosine_i, float phi_i) const {
-    return longitudinal(sine_i, cosine_i, sine_, cosine_, *model_) *
+    return longitudinal(*model_, wo_, sine_i, cosine_i) *
            azimuthal(wrapped(phi_i - phi_), *model_);
 }
 
@@ -218,16 +180,7 @@ std::optional<BsdfSample> HairBsdf::sample(float pick, float azimuth,
                                            const Vec2f& longitude) const {
     int p = 0;
     while (p + 1 < kHairLobes && pick >= probability_[p]) pick -= probability_[p++];
-    // M is sampled about the mirrored inclination [d'Eon et al. 2013, "Importance
-    // Sampling for Physically-Based Hair Fiber Models"]; one minus the cosine keeps its
-    // digits.
-    const float versine = std::min(
-        2.0f, -model_->variance[p] * std::log1p(-model_->spread[p] * longitude.x()));
-    const float across = std::sqrt(versine * (2 - versine));
-    const float sine_i =
-        std::clamp(-(1 - versine) * sine_[p] +
-                       across * std::cos(2 * kPi * longitude.y()) * cosine_[p],
-                   -1.0f, 1.0f);
+    const float sine_i = sampled_sine(*model_, wo_, p, longitude);
     const float cosine_i = std::sqrt(1 - square(sine_i));
     const float phi = p + 1 < kHairLobes ? phi_[p] + sampled_azimuth(azimuth, *model_)
                                          : 2 * kPi * azimuth;

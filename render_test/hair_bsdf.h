@@ -48,6 +48,11 @@ struct HairModel {
 
 struct StrandSection;
 
+/// wo's inclination as each lobe sees it, turned by the scales' tilt.
+struct TurnedInclination {
+    Eigen::Array4f sine, cosine;
+};
+
 /// The lobes at one hit.
 class HairBsdf {
   public:
@@ -79,7 +84,7 @@ class HairBsdf {
     const HairModel* model_;
     std::array<Vec3f, kHairLobes> attenuation_;  ///< A
     Eigen::Array4f probability_;                 ///< of sampling each lobe
-    Eigen::Array4f sine_, cosine_;  ///< of wo's inclination, turned by the tilt
+    TurnedInclination wo_;
     Eigen::Array4f phi_;  ///< azimuth of the specular path; unused by the residual
 };
 

@@ -25,10 +25,19 @@ Vec3f end_sigma(const HairMaterial& material, const std::optional<Vec3f>& colour
     return sigma_a_of_colour(*colour, material.beta_n);
 }
 
+std::shared_ptr<const std::vector<FarTable>> far_tables(
+    const std::vector<HairModel>& models) {
+    std::vector<FarTable> tables(models.begin(), models.end());
+    return std::make_shared<const std::vector<FarTable>>(std::move(tables));
+}
+
 }  // namespace
 
 HairLook::HairLook(HairModel model)
-    : models_{model}, root_(model.sigma_a), tip_(model.sigma_a) {}
+    : models_{model},
+      far_tables_(far_tables(models_)),
+      root_(model.sigma_a),
+      tip_(model.sigma_a) {}
 
 HairLook::HairLook(const HairMaterial& material, float least_roughness)
     : root_(end_sigma(material, material.root_colour)),
@@ -49,13 +58,14 @@ HairLook::HairLook(const HairMaterial& material, float least_roughness)
             with_roughness(material, 1 + share * material.roughness_variation);
         models_.emplace_back(widened(own, least_roughness));
     }
+    far_tables_ = far_tables(models_);
 }
 
-const HairModel& HairLook::model(std::uint32_t strand) const {
-    if (models_.size() == 1) return models_[0];
+std::size_t HairLook::level(std::uint32_t strand) const {
+    if (models_.size() == 1) return 0;
     const float random = unit_float(hash_bits(seed_, strand, kRoughnessSalt));
     // Half a level at each end goes to the outermost: levels are the nearest.
-    return models_[std::size_t(random * float(kRoughnesses - 1) + 0.5f)];
+    return std::size_t(random * float(kRoughnesses - 1) + 0.5f);
 }
 
 Vec3f HairLook::sigma_a(std::uint32_t strand, float along) const {

@@ -2,9 +2,10 @@
 // The material of a whole groom: how its strands differ, and how each changes from root
 // to tip.
 
+#include <memory>
 #include <vector>
 
-#include "render_test/hair_bsdf.h"
+#include "render_test/far_lobes.h"
 
 namespace lancret {
 
@@ -21,15 +22,22 @@ class HairLook {
     explicit HairLook(const HairMaterial& material, float least_roughness = 0);
 
     /// The strand's lobes; of 17 roughnesses, the strand's own or the nearest.
-    const HairModel& model(std::uint32_t strand) const;
+    const HairModel& model(std::uint32_t strand) const { return models_[level(strand)]; }
+    /// That model averaged over the strand's width.
+    const FarTable& far_table(std::uint32_t strand) const {
+        return (*far_tables_)[level(strand)];
+    }
     /// Per radius; `along` goes from 0 at the root to 1 at the tip.
     Vec3f sigma_a(std::uint32_t strand, float along) const;
     /// What a dense groom of such strands shows, about.
     Vec3f colour(std::uint32_t strand, float along) const;
 
   private:
+    std::size_t level(std::uint32_t strand) const;
+
     std::vector<HairModel> models_;  ///< from the smoothest to the roughest
-    Vec3f root_, tip_;               ///< absorption
+    std::shared_ptr<const std::vector<FarTable>> far_tables_;  ///< [models]
+    Vec3f root_, tip_;                                         ///< absorption
     float melanin_variation_ = 0;
     float beta_n_ = 0.3f;
     std::uint64_t seed_ = 0;

@@ -17,8 +17,8 @@ namespace {
 /// bounce.
 constexpr std::uint32_t kCameraPairs = 2, kBouncePairs = 4;
 
-/// Far from all others: the choice among thin strands.
-constexpr std::uint32_t kThinPair = 0x20000;
+/// Far from all others: the choice among thin strands, and of lobes.
+constexpr std::uint32_t kThinPair = 0x20000, kLobesPair = 0x40000;
 
 /// A path on its way: what it has gathered, and what it still lets through.
 struct Path {
@@ -81,6 +81,21 @@ bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& 
     return path.throughput.maxCoeff() > 0;
 }
 
+/// Whether the strand at `hit` scatters as its mean over the offset.
+bool scatters_far(const PathSettings& settings, const Hit& hit, int depth,
+                  Sampler& sampler) {
+    // The tables are of round strands.
+    if (hit.aspect < 1) return false;
+    if (settings.lobes != LobeWidth::automatic || depth > 0)
+        return settings.lobes != LobeWidth::near;
+    const float pixels = 2 * hit.radius / (hit.distance * settings.pixel_angle);
+    if (!(pixels > 1 && pixels < 2)) return pixels <= 1;
+    sampler.skip_to(kLobesPair);
+    const float random = sampler.next().x();
+    sampler.skip_to(kCameraPairs);
+    return random < far_share(pixels);
+}
+
 bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& hit,
              int depth, Sampler& sampler, Path& path) {
     const Vec3f wo = -path.ray.direction;
@@ -95,10 +110,17 @@ bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& 
         frame << hit.tangent, hit.facing.cross(hit.tangent), hit.facing;
         const HairLook& hair =
             depth > 0 && scene.later_hair ? *scene.later_hair : scene.hair;
-        const HairBsdf bsdf(hair.model(hit.strand), hair.sigma_a(hit.strand, hit.along),
-                            frame.transpose() * wo, hit.h,
-                            {hit.aspect, hit.section_angle});
-        return scatter(scene, settings, hit, bsdf, frame, sampler, path);
+        const HairModel& model = hair.model(hit.strand);
+        const Vec3f sigma_a = hair.sigma_a(hit.strand, hit.along);
+        const Vec3f local = frame.transpose() * wo;
+        if (scatters_far(settings, hit, depth, sampler))
+            return scatter(scene, settings, hit,
+                           FarHairBsdf(model, hair.far_table(hit.strand), sigma_a, local),
+                           frame, sampler, path);
+        return scatter(
+            scene, settings, hit,
+            HairBsdf(model, sigma_a, local, hit.h, {hit.aspect, hit.section_angle}),
+            frame, sampler, path);
     }
     frame = frame_about(hit.shading_normal);
     if (scene.mesh.coat_roughness)
@@ -212,6 +234,11 @@ Ray ray_from(const Hit& hit, const Vec3f& side, const Vec3f& direction, float ti
         ray.origin = hit.position + hit.lift + rounding * side;
     }
     return ray;
+}
+
+float far_share(float pixels) {
+    const float x = std::clamp(2 - pixels, 0.0f, 1.0f);
+    return x * x * (3 - 2 * x);
 }
 
 float strand_clearance(const Hit& hit, const Vec3f& direction) {

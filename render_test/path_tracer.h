@@ -2,9 +2,11 @@
 // Light along one path: next-event estimation and sampling of the material, combined by
 // multiple importance sampling [Veach 1997].
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "render_test/blade.h"
@@ -58,12 +60,28 @@ enum class LightSampling {
     scattering,  ///< where the material scatters alone
 };
 
+/// How a strand scatters: by the offset at which a ray meets it, which shows across a
+/// strand of many pixels, or as its mean over that offset, with less noise.
+enum class LobeWidth {
+    near,       ///< by offset (HairBsdf)
+    far,        ///< the mean (FarHairBsdf)
+    automatic,  ///< the mean of strands narrower than a pixel, and wherever the camera
+                ///< does not see the strand itself; by offset where they are wider
+                ///< than two pixels; between, by chance
+};
+
+inline constexpr std::array<std::string_view, 3> kLobeWidthNames = {"near", "far",
+                                                                    "auto"};
+
 struct PathSettings {
     int max_depth = 64;             ///< scatterings along a path; pale hair needs many
     int roulette_depth = 2;         ///< from here on, a path ends by chance
     bool show_environment = false;  ///< to the camera; then alpha is one everywhere
     std::vector<TracedRay>* record = nullptr;  ///< gets every ray; for one thread alone
     LightSampling sampling = LightSampling::both;
+    LobeWidth lobes = LobeWidth::near;
+    float pixel_angle = 0;  ///< width of a pixel, radian: `automatic` compares strands
+                            ///< with it; `render` sets it
     bool groom_shading = false;  ///< in place of paths (groom_shading.h)
 };
 
@@ -82,6 +100,10 @@ PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ra
 /// A ray from a hit; `side` is the unit normal of a mesh on the side that it leaves to,
 /// of a ribbon on either.
 Ray ray_from(const Hit& hit, const Vec3f& side, const Vec3f& direction, float time);
+
+/// The share of far-field lobes on strands so many pixels wide, where lobes are
+/// automatic: one up to one pixel, falling smoothly to none at two.
+float far_share(float pixels);
 
 /// How far from a strand's hit a ray in `direction` starts to count, cm. Scattering has
 /// already carried it through: a ribbon stands for a cylinder, and would otherwise be met

@@ -21,6 +21,9 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
         render.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     set(out.render.path.max_depth, render.integer("max_depth", 1, 10000));
     set(out.regularisation, render.number("regularisation", 0, 1));
+    if (const auto lobes = render.choice("lobes", kLobeWidthNames)) {
+        out.render.path.lobes = LobeWidth(*lobes);
+    }
     set(out.background, colour_value(render, "background", 1e6));
     set(out.least_width, render.number("min_width_pixels", 0, 10));
     out.shutter = render.pair("shutter");
@@ -53,6 +56,7 @@ bool is_shutter(const Vec2& shutter) {
 
 PreviewSettings read_preview_settings(const TomlTable& toml, const Vec3f& up) {
     PreviewSettings out;
+    out.render.path.lobes = LobeWidth::automatic;
     read_material(toml.table("material"), out.hair, out.mesh,
                   out.render.path.groom_shading);
     read_surfaces(toml.table("material"), out);

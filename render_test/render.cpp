@@ -30,6 +30,8 @@ std::uint64_t sample_pixel(const RenderScene& scene, const Camera& camera,
                            Film& film, std::vector<DeepSample>& deep) {
     const std::size_t pixel = std::size_t(y) * settings.width + x;
     const Vec2f size(float(settings.width), float(settings.height));
+    PathSettings path_settings = settings.path;
+    path_settings.pixel_angle = 2 * camera.tangent / size.y();
     std::uint64_t rays = 0;
     for (int s = int(film.samples[pixel]); s < end; ++s) {
         Sampler sampler(settings.seed, std::uint32_t(pixel), std::uint32_t(s));
@@ -43,7 +45,7 @@ std::uint64_t sample_pixel(const RenderScene& scene, const Camera& camera,
         }
         // One time a path; a pixel's times are spread evenly over the shutter.
         if (scene.geometry->moves()) ray.time = sampler.next().x();
-        const PathResult path = trace_path(scene, settings.path, ray, sampler);
+        const PathResult path = trace_path(scene, path_settings, ray, sampler);
         Sighting sighting{.path = path, .direction = ray.direction};
         if (path.first) {
             sighting.depth = path.first->distance * ray.direction.dot(camera.view());

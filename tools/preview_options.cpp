@@ -120,6 +120,9 @@ void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
             "or more");
     }
     if (options.regularisation) settings.regularisation = *options.regularisation;
+    if (const auto* name = std::ranges::find(kLobeWidthNames, options.lobes);
+        name != kLobeWidthNames.end())
+        render.path.lobes = LobeWidth(name - kLobeWidthNames.begin());
     if (options.motion_samples) settings.motion_samples = *options.motion_samples;
     if (options.shutter.empty()) return;
     settings.shutter = parse_shutter(options.shutter);
@@ -177,6 +180,12 @@ void add_preview_options(CLI::App& command, PreviewOptions& options) {
                     "noise, a little brighter; 0.5 by default, 0 for a reference")
         ->type_name("R")
         ->check(CLI::Range(0.0, 1.0));
+    command
+        .add_option("--lobes", options.lobes,
+                    "light across a strand: 'near' by where it is met, 'far' its mean, "
+                    "'auto' the mean of strands thinner than a pixel")
+        ->check(CLI::IsMember(
+            std::vector<std::string>(kLobeWidthNames.begin(), kLobeWidthNames.end())));
     command.add_flag("--progressive", options.progressive,
                      "write the picture at 1, 2, 4, ... samples a pixel");
     command

@@ -14,7 +14,7 @@ namespace lancret {
 struct PreviewOptions {
     GroomOptions groom;
     FrameOptions frames;
-    std::string size, shutter, output, deep, contact_sheet, view, view_range;
+    std::string size, shutter, lobes, output, deep, contact_sheet, view, view_range;
     std::optional<int> samples, motion_samples, turntable;
     std::optional<float> regularisation, noise;
     bool progressive = false, denoise = false;

@@ -26,7 +26,7 @@ struct Options {
     float eumelanin = 1.3f, regularisation = 0;
     RenderSettings render;
     bool tiles = false;
-    std::string reference, picture;
+    std::string reference, picture, lobes = "near";
 };
 
 double user_seconds() {
@@ -122,6 +122,7 @@ void measure(SphereScene& made, const Options& options) {
     std::vector<Traced> traced(pixels.size());
     std::vector<TracedRay> rays;
     RenderSettings settings = options.render;
+    settings.path.pixel_angle = 2 * made.camera.tangent / 512;
     const auto trace = [&] {
         for (std::size_t i = 0; i < pixels.size(); ++i)
             traced[i] = trace_pixel(made, settings, pixels[i]);
@@ -194,6 +195,8 @@ int run(Options& options) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                       std::size_t(options.threads));
     SphereScene made = sphere_scene(options.scene);
+    for (std::size_t i = 0; i < kLobeWidthNames.size(); ++i)
+        if (options.lobes == kLobeWidthNames[i]) options.render.path.lobes = LobeWidth(i);
     HairMaterial material;
     material.eumelanin = options.eumelanin;
     made.scene.hair = HairModel(material);
@@ -231,6 +234,7 @@ int main(int count, char** arguments) {
                    "roughness from the second vertex on, at least; 0: off");
     app.add_option("--noise", options.render.noise,
                    "of the whole picture, with at most --samples; 0: all have them");
+    app.add_option("--lobes", options.lobes, "near, far or auto");
     app.add_option("--seed", options.render.seed);
     app.add_option("--reference", options.reference,
                    "file of a reference; made where it is not there");

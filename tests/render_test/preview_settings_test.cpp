@@ -184,6 +184,18 @@ TEST(PreviewSettings, RegularisationIsOnUnlessSaidOtherwise) {
                 testing::StartsWith("g.toml:2: 'regularisation'"));
 }
 
+TEST(PreviewSettings, LobesAreAutomaticUnlessSaidOtherwise) {
+    const auto lobes = [](std::string_view text) {
+        return settings_of(text).render.path.lobes;
+    };
+    EXPECT_EQ(lobes(""), LobeWidth::automatic);
+    EXPECT_EQ(lobes("[render]\nlobes = \"near\"\n"), LobeWidth::near);
+    EXPECT_EQ(lobes("[render]\nlobes = \"far\"\n"), LobeWidth::far);
+    EXPECT_EQ(lobes("[render]\nlobes = \"auto\"\n"), LobeWidth::automatic);
+    EXPECT_EQ(error_of("[render]\nlobes = \"wide\"\n"),
+              "g.toml:2: lobes 'wide' is not known; one of: near, far, auto");
+}
+
 TEST(PreviewSettings, AShutterIsTwoFramesInOrder) {
     const TomlTable toml = TomlTable::from_text(
         "[render]\nshutter = [-0.25, 0.5]\nmotion_samples = 5\n", "g.toml");
