@@ -24,7 +24,7 @@ Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
     const std::size_t strands = binding.size(), n = profiles.count;
     Curves out;
     out.basis = settings.basis;
-    out.shape = settings.shape;
+    out.shape = settings.shape.value_or(CurveShape::flat);
     out.strands = std::uint32_t(strands);
     out.segments_per_strand = std::uint32_t(n);
     out.points_per_strand = control_points_of(settings.basis, out.segments_per_strand);
@@ -34,7 +34,7 @@ Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
     out.points = Buffer<Point4f>(strands * out.points_per_strand);
     out.segments = Buffer<std::uint32_t>(strands * n);
     const bool hermite = settings.basis == CurveBasis::hermite;
-    const bool faces = settings.faces || settings.shape == CurveShape::ribbon;
+    const bool faces = settings.faces || out.shape == CurveShape::ribbon;
     if (hermite && faces)
         throw std::invalid_argument("expand: faces are of B-splines alone");
     if (hermite) out.tangents = Buffer<Point4f>(out.points.size());

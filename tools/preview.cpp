@@ -73,13 +73,14 @@ void print_picture(const std::filesystem::path& output, const Generator& generat
 
 /// Has strands grown with the faces that elliptic ones need. Throws InputError.
 void ask_for_faces(Job& job) {
-    if (job.groom.expand.shape != CurveShape::flat ||
+    if (job.groom.expand.shape.value_or(CurveShape::flat) != CurveShape::flat ||
         job.groom.expand.basis != CurveBasis::bspline) {
         throw InputError(fmt::format(
             "{}: 'aspect' of [material] is of strands that are drawn as 'flat' "
             "B-splines; leave out 'shape' and 'curve' of [strands]",
             job.groom.name));
     }
+    job.groom.expand.shape = CurveShape::flat;
     job.groom.expand.faces = true;
 }
 

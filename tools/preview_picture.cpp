@@ -3,6 +3,7 @@
 #include "render_test/denoise.h"
 #include "render_test/image_exr.h"
 #include "render_test/legend.h"
+#include "render_test/strand_width.h"
 #include "render_test/thin_strands.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
@@ -32,6 +33,17 @@ bool same(const ScalpPose& a, const ScalpPose& b) {
     const auto& x = std::get<RigidPose>(a);
     const auto& y = std::get<RigidPose>(b);
     return x.rotation == y.rotation && x.translation == y.translation;
+}
+
+/// Strands that are wide in any picture are round, all of them and at all times.
+void choose_shape(std::span<const Camera> cameras, int height,
+                  std::vector<ShownTime>& moments) {
+    float widest = 0;
+    for (const ShownTime& m : moments) {
+        widest = std::max(widest, widest_pixels(m.curves, cameras, height));
+    }
+    if (!(widest > kFlatPixels)) return;
+    for (ShownTime& m : moments) m.curves.shape = CurveShape::round;
 }
 
 }  // namespace
@@ -84,6 +96,8 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
                                    job.preview.render.height, job.preview.least_width);
         }
     }
+    if (!job.groom.expand.shape)
+        choose_shape(cameras, job.preview.render.height, moments);
     HairScene geometry(scene_times(moments), {.true_radii = moments.front().true_radii,
                                               .crease = job.preview.crease,
                                               .aspect = job.preview.hair.aspect});

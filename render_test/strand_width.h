@@ -1,0 +1,20 @@
+#pragma once
+// How wide strands are in a picture, and what shape they are therefore drawn in.
+
+#include <span>
+
+#include "procedural/curves.h"
+#include "render_test/camera.h"
+
+namespace lancret {
+
+/// Strands up to this wide in pixels are drawn flat: of one that is wider its roundness
+/// may be seen, where it bends towards the viewer or meets another.
+inline constexpr float kFlatPixels = 4;
+
+/// The width of the widest strand in view of any of the cameras, pixels, in pictures of
+/// `height` pixels. Judged at control points; one counts where it lies in front of the
+/// camera and within the picture or a quarter of its size around it.
+float widest_pixels(const Curves& curves, std::span<const Camera> cameras, int height);
+
+}  // namespace lancret
