@@ -142,6 +142,8 @@ int preview(const PreviewOptions& options) {
             geometry.emplace(
                 grow(generator, rest, chosen, times.frames, job, cameras, moments, cost));
             scene.geometry = &*geometry;
+            // Strands keep the shape that the first picture gave them: nothing pops.
+            job.groom.expand.shape = moments.front().curves.shape;
             shown = scene_times(moments);
             scene.times = shown;
             if (request) {

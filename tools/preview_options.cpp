@@ -11,6 +11,10 @@ namespace lancret {
 
 namespace {
 
+/// Paths a pixel of a draft: a quarter of what a quiet picture needs, and enough for the
+/// variance by which it is denoised.
+constexpr int kDraftSamples = 4;
+
 /// "A,B", two numbers.
 std::optional<Vec2> parse_pair(const std::string& text) {
     Vec2 out;
@@ -39,6 +43,7 @@ void refuse_with_view(const PreviewOptions& options) {
     if (options.view.empty()) return;
     const std::pair<bool, const char*> asked[] = {{!options.deep.empty(), "--deep"},
                                                   {options.denoise, "--denoise"},
+                                                  {options.draft, "--draft"},
                                                   {options.noise.has_value(), "--noise"}};
     for (const auto& [given, name] : asked) {
         if (given) {
@@ -108,15 +113,17 @@ void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
         settings.camera.f_stop.reset();
         settings.background = Vec3f::Constant(0.012f);
     }
-    settings.denoise = options.denoise;
+    settings.denoise = options.denoise || options.draft;
+    if (options.draft) render.samples = kDraftSamples, render.noise = 0;
     if (options.samples) render.samples = *options.samples;
     if (options.noise) {
         render.noise = *options.noise;
         if (!options.samples) render.samples = kMostAdaptiveSamples;
     }
-    if (options.denoise && render.samples < 2) {
+    if (settings.denoise && render.samples < 2) {
         throw InputError(
-            "--denoise: one sample a pixel does not tell what is noise; give --samples 2 "
+            "--denoise and --draft: one sample a pixel does not tell what is noise; give "
+            "--samples 2 "
             "or more");
     }
     if (options.regularisation) settings.regularisation = *options.regularisation;
@@ -186,6 +193,11 @@ void add_preview_options(CLI::App& command, PreviewOptions& options) {
                     "'auto' the mean of strands thinner than a pixel")
         ->check(CLI::IsMember(
             std::vector<std::string>(kLobeWidthNames.begin(), kLobeWidthNames.end())));
+    command
+        .add_flag(
+            "--draft", options.draft,
+            "quickly: 4 paths a pixel, denoised; blurs what strands do to each other")
+        ->excludes("--noise");
     command.add_flag("--progressive", options.progressive,
                      "write the picture at 1, 2, 4, ... samples a pixel");
     command
@@ -240,7 +252,7 @@ void add_preview_options(CLI::App& command, PreviewOptions& options) {
         "  lancret preview groom.toml --progressive -o window.png\n"
         "  lancret preview groom.toml --noise 0.1 -o even.exr\n"
         "  lancret preview groom.toml -o head.exr --deep head_deep.exr\n"
-        "  lancret preview groom.toml --samples 8 --denoise -o draft.png\n"
+        "  lancret preview groom.toml --draft -o draft.png\n"
         "  lancret preview groom.hair --guides 5% --strands 5000 --size 640x640 "
         "--samples 16 "
         "-o quick.png");

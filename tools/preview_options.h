@@ -17,7 +17,7 @@ struct PreviewOptions {
     std::string size, shutter, lobes, output, deep, contact_sheet, view, view_range;
     std::optional<int> samples, motion_samples, turntable;
     std::optional<float> regularisation, noise;
-    bool progressive = false, denoise = false;
+    bool progressive = false, denoise = false, draft = false;
 };
 
 void add_preview_options(CLI::App& command, PreviewOptions& options);

@@ -28,7 +28,9 @@ TEST(MadeLawn, BladesAreAsLongAsAskedAndInEvenSteps) {
                 (made.strands.points[first + j] - made.strands.points[first + j - 1])
                     .norm();
             // Coordinates of up to 45 cm are rounded to 2e-6 each, two of them a step.
-            if (j > 1) EXPECT_NEAR(ds, step, 2e-5) << i;
+            if (j > 1) {
+                EXPECT_NEAR(ds, step, 2e-5) << i;
+            }
             step = ds, length += ds;
         }
         EXPECT_GE(length, 5 - 1e-4);
