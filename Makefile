@@ -6,7 +6,7 @@ BUILD := build/$(PRESET)
 LANCRET := $(BUILD)/tools/lancret
 SOURCES := $(shell git ls-files '*.h' '*.cpp' 2>/dev/null)
 
-.PHONY: all preview evaluate test test-slow bench format format-check lint deps clean
+.PHONY: all preview evaluate gallery test test-slow bench format format-check lint deps clean
 
 all: deps
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
@@ -38,6 +38,18 @@ evaluate: deps
 	@set -e; for groom in $(GROOMS); do name=$$(basename $${groom%.*}); \
 	  $(LANCRET) evaluate $$groom --json out/evaluate/$$name.json --image out/evaluate/$$name.png --size 240x300; \
 	done
+
+# What hair can look like: straight, wavy and tightly curled; brown, blond and black; fur, grass, a
+# lens, a turn of the head; in out/gallery/.
+gallery: deps
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret
+	@mkdir -p out/gallery
+	@set -e; for groom in examples/gallery/*.toml examples/grass.toml; do name=$$(basename $${groom%.*}); \
+	  $(LANCRET) preview $$groom -o out/gallery/$$name.png; \
+	done
+	$(LANCRET) simulate examples/made_groom.toml --frames 1-12 -o out/gallery/turn.h5 --restart
+	$(LANCRET) preview out/gallery/turn.h5 --frame 11 --shutter 0,0.8 --motion-samples 5 --size 480x480 -o out/gallery/turn.png
 
 test: deps
 	cmake --preset $(PRESET) -DLANCRET_TESTS=ON

@@ -87,7 +87,8 @@ Vec3f scale_colour(const ColourScale& scale, float value) {
 
 std::shared_ptr<const StrandsApart> strands_apart(const CheckView& view,
                                                   const Curves& curves,
-                                                  const TriangleMesh* mesh) {
+                                                  const TriangleMesh* mesh,
+                                                  float aspect) {
     auto out = std::make_shared<StrandsApart>();
     const std::size_t values = view.values.per_strand;
     for (std::uint32_t i = 0; i < curves.strands; ++i) {
@@ -126,7 +127,7 @@ std::shared_ptr<const StrandsApart> strands_apart(const CheckView& view,
                 std::uint32_t(i * points) + j;
         }
     }
-    out->scene.emplace(chosen, mesh);
+    out->scene.emplace(chosen, mesh, HairSceneOptions{.aspect = aspect});
     return out;
 }
 

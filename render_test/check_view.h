@@ -69,10 +69,11 @@ Vec3f view_radiance(const CheckView& view, const Ray& ray, const Hit& hit,
                     RayCounter& counter);
 
 /// The strands that are not clean everywhere, of those that `view` has values of. `mesh`
-/// may be null.
+/// may be null; `aspect` is HairSceneOptions'.
 std::shared_ptr<const StrandsApart> strands_apart(const CheckView& view,
                                                   const Curves& curves,
-                                                  const TriangleMesh* mesh);
+                                                  const TriangleMesh* mesh,
+                                                  float aspect = 1);
 
 /// The raw figure there; 0 on a mesh.
 float view_value(const CheckView& view, const Hit& hit);

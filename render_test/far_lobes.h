@@ -14,6 +14,8 @@
 // Lagrange's cubic on four Chebyshev nodes c_k: N_p(phi) = sum over k of w_pk(phi)
 // exp(-p a c_k), where w_pk(phi) does not know sigma_a. Nothing absorbed is exact.
 
+#include <mutex>
+#include <optional>
 #include <vector>
 
 #include "render_test/hair_bsdf.h"
@@ -47,6 +49,25 @@ struct FarTable {
     std::vector<float> distribution;
 
     std::size_t bytes() const;
+};
+
+/// The tables of several models, each made when it is first asked for, by any thread.
+class FarTables {
+  public:
+    explicit FarTables(std::size_t models) : tables_(models) {}
+    /// Of model number `i`, always the same one.
+    const FarTable& table(std::size_t i, const HairModel& model) const {
+        Own& own = tables_[i];
+        std::call_once(own.made, [&] { own.table.emplace(model); });
+        return *own.table;
+    }
+
+  private:
+    struct Own {
+        std::once_flag made;
+        std::optional<FarTable> table;
+    };
+    mutable std::vector<Own> tables_;
 };
 
 /// The lobes at one hit; local axes and meaning of values as HairBsdf's.

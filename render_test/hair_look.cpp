@@ -25,17 +25,11 @@ Vec3f end_sigma(const HairMaterial& material, const std::optional<Vec3f>& colour
     return sigma_a_of_colour(*colour, material.beta_n);
 }
 
-std::shared_ptr<const std::vector<FarTable>> far_tables(
-    const std::vector<HairModel>& models) {
-    std::vector<FarTable> tables(models.begin(), models.end());
-    return std::make_shared<const std::vector<FarTable>>(std::move(tables));
-}
-
 }  // namespace
 
 HairLook::HairLook(HairModel model)
     : models_{model},
-      far_tables_(far_tables(models_)),
+      far_tables_(std::make_shared<FarTables>(1)),
       root_(model.sigma_a),
       tip_(model.sigma_a) {}
 
@@ -58,7 +52,7 @@ HairLook::HairLook(const HairMaterial& material, float least_roughness)
             with_roughness(material, 1 + share * material.roughness_variation);
         models_.emplace_back(widened(own, least_roughness));
     }
-    far_tables_ = far_tables(models_);
+    far_tables_ = std::make_shared<FarTables>(models_.size());
 }
 
 std::size_t HairLook::level(std::uint32_t strand) const {

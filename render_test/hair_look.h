@@ -25,7 +25,8 @@ class HairLook {
     const HairModel& model(std::uint32_t strand) const { return models_[level(strand)]; }
     /// That model averaged over the strand's width.
     const FarTable& far_table(std::uint32_t strand) const {
-        return (*far_tables_)[level(strand)];
+        const std::size_t at = level(strand);
+        return far_tables_->table(at, models_[at]);
     }
     /// Per radius; `along` goes from 0 at the root to 1 at the tip.
     Vec3f sigma_a(std::uint32_t strand, float along) const;
@@ -35,9 +36,9 @@ class HairLook {
   private:
     std::size_t level(std::uint32_t strand) const;
 
-    std::vector<HairModel> models_;  ///< from the smoothest to the roughest
-    std::shared_ptr<const std::vector<FarTable>> far_tables_;  ///< [models]
-    Vec3f root_, tip_;                                         ///< absorption
+    std::vector<HairModel> models_;                ///< from the smoothest to the roughest
+    std::shared_ptr<const FarTables> far_tables_;  ///< [models]
+    Vec3f root_, tip_;                             ///< absorption
     float melanin_variation_ = 0;
     float beta_n_ = 0.3f;
     std::uint64_t seed_ = 0;

@@ -15,8 +15,11 @@ namespace {
 void read_render(const TomlTable& render, PreviewSettings& out) {
     set(out.render.width, render.integer("width", 1, 16384));
     set(out.render.height, render.integer("height", 1, 16384));
-    set(out.render.samples, render.integer("samples", 1, 65536));
+    const auto samples = render.integer("samples", 1, 65536);
+    set(out.render.samples, samples);
+    out.samples_given = samples.has_value();
     set(out.render.noise, render.number("noise", 0, 10));
+    if (out.render.noise > 0 && !samples) out.render.samples = kMostAdaptiveSamples;
     set(out.render.seed,
         render.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     set(out.render.path.max_depth, render.integer("max_depth", 1, 10000));

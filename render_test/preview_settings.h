@@ -15,6 +15,7 @@ struct PreviewSettings {
     BladeMaterial blade;
     float crease = 1.05f;  ///< radian: HairSceneOptions'
     RenderSettings render;
+    bool samples_given = false;  ///< whether render.samples was asked for
     CameraSettings camera;
     float least_width = 0;         ///< pixels that a strand is drawn wide at least
     float regularisation = 0.5f;   ///< roughness of hair after a path's first scattering,

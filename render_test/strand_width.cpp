@@ -1,9 +1,9 @@
 #include "render_test/strand_width.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
+#include <oneapi/tbb/parallel_for.h>
 
-#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace lancret {
@@ -21,17 +21,20 @@ float pixels_at(const Point4f& p, const Camera& camera, float height) {
 
 }  // namespace
 
-float widest_pixels(const Curves& curves, std::span<const Camera> cameras, int height) {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, curves.points.size(), 16384), 0.0f,
-        [&](const auto& range, float widest) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i)
+bool any_wider(const Curves& curves, std::span<const Camera> cameras, int height,
+               float pixels) {
+    std::atomic<bool> found = false;
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, curves.points.size(), 4096),
+        [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end() && !found; ++i)
                 for (const Camera& camera : cameras)
-                    widest = std::max(widest,
-                                      pixels_at(curves.points[i], camera, float(height)));
-            return widest;
-        },
-        [](float a, float b) { return std::max(a, b); });
+                    if (pixels_at(curves.points[i], camera, float(height)) > pixels) {
+                        found = true;
+                        return;
+                    }
+        });
+    return found;
 }
 
 }  // namespace lancret

@@ -12,9 +12,10 @@ namespace lancret {
 /// may be seen, where it bends towards the viewer or meets another.
 inline constexpr float kFlatPixels = 4;
 
-/// The width of the widest strand in view of any of the cameras, pixels, in pictures of
+/// Whether a strand in view of any of the cameras is wider than `pixels` in pictures of
 /// `height` pixels. Judged at control points; one counts where it lies in front of the
 /// camera and within the picture or a quarter of its size around it.
-float widest_pixels(const Curves& curves, std::span<const Camera> cameras, int height);
+bool any_wider(const Curves& curves, std::span<const Camera> cameras, int height,
+               float pixels);
 
 }  // namespace lancret

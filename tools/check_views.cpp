@@ -58,10 +58,10 @@ ColourScale size_scale(Kind kind, const std::vector<float>& values, float least)
 }
 
 /// The most frequent of the values as swatches with their shares.
-std::vector<Swatch> frequent(const std::vector<float>& values, const char* name) {
+std::vector<Swatch> frequent(std::span<const std::uint32_t> values, const char* name) {
     constexpr std::size_t kMost = 8;
     std::map<std::uint32_t, std::size_t> counts;
-    for (const float value : values) ++counts[std::uint32_t(value)];
+    for (const std::uint32_t value : values) ++counts[value];
     std::vector<std::pair<std::size_t, std::uint32_t>> order;
     for (const auto& [what, count] : counts) order.emplace_back(count, what);
     std::ranges::sort(order, [](const auto& a, const auto& b) {
@@ -104,7 +104,7 @@ void set_regions(CheckView& view, const Generator& generator, const RestPlaces& 
         view.values.values.push_back(float(region));
         view.colours.push_back(category_colour(region));
     }
-    view.swatches = frequent(view.values.values, "");
+    view.swatches = frequent(regions, "");
 }
 
 }  // namespace
@@ -121,19 +121,29 @@ std::optional<View> view_named(std::string_view name) {
 
 void check_range(const ViewRequest& request) {
     if (!request.range) return;
+    // As they are used: two doubles may be one float.
+    const Eigen::Vector2f range = request.range->cast<float>();
+    if (!(range.x() < range.y()) || !range.allFinite()) {
+        throw InputError(
+            "--view-range: the two numbers are too near each other, or too far from 1, "
+            "to "
+            "tell colours apart by");
+    }
     if (!has_scale(request.view)) {
         throw InputError(fmt::format("--view-range: the view {} has no scale",
                                      view_name(request.view)));
     }
-    if (is_error(request.view) && !(request.range->x() > 0)) {
-        throw InputError(
-            fmt::format("--view-range: the scale of {} is logarithmic and begins above 0",
-                        view_name(request.view)));
+    if (is_error(request.view) && !(range.x() >= std::numeric_limits<float>::min())) {
+        throw InputError(fmt::format(
+            "--view-range: the scale of {} is logarithmic and begins above 0, at "
+            "1e-37 or more",
+            view_name(request.view)));
     }
 }
 
 CheckView view_of(const ViewRequest& request, const Generator& generator,
-                  const RestPlaces& rest, const ShownTime& shown, const Groom& groom) {
+                  const RestPlaces& rest, const ShownTime& shown, const Groom& groom,
+                  float aspect) {
     const Binding& binding = generator.binding;
     const GuideProfiles<float>& profiles = shown.state.profiles;
     const Blend blend = groom.expand.blend;
@@ -173,7 +183,9 @@ CheckView view_of(const ViewRequest& request, const Generator& generator,
                                     profiles.size());
             out.values = leading_guide_values(binding);
             out.colours = influence_colours(binding);
-            out.swatches = frequent(out.values.values, "");
+            out.swatches = frequent(std::vector<std::uint32_t>(out.values.values.begin(),
+                                                               out.values.values.end()),
+                                    "");
             break;
         case View::region:
             out.title = "region, share of the strands";
@@ -189,7 +201,7 @@ CheckView view_of(const ViewRequest& request, const Generator& generator,
             out.values = penetration_values(shown.curves, *shown.body);
             out.scale = size_scale(Kind::sequential, out.values.values, kOnSurface);
             out.scale.clean = kOnSurface;
-            out.apart = strands_apart(out, shown.curves, &*shown.body);
+            out.apart = strands_apart(out, shown.curves, &*shown.body, aspect);
             break;
     }
     if (request.range) {

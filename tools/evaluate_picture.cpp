@@ -85,7 +85,8 @@ Image evaluation_strip(const LeaveOut& taken, const GuideProfiles<float>& profil
             const Prediction made = predict(taken, profiles, blends[panel - 1]);
             curves = curves_of(made.strands, made.tangents, taper);
         }
-        const HairScene geometry(curves, view.body ? &*view.body : nullptr);
+        const HairScene geometry(curves, view.body ? &*view.body : nullptr,
+                                 {.crease = view.preview.crease});
         scene.geometry = &geometry;
         put(render(scene, camera, settings,
                    [&](const RenderProgress& p) { progress((panel + p.done) / panels); }),

@@ -147,7 +147,8 @@ int preview(const PreviewOptions& options) {
             shown = scene_times(moments);
             scene.times = shown;
             if (request) {
-                view = view_of(*request, generator, rest, moments[0], job.groom);
+                view = view_of(*request, generator, rest, moments[0], job.groom,
+                               job.preview.hair.aspect);
                 scene.view = &*view;
                 fmt::print("{}\n", view_line(*request, *view));
                 // The first picture's scale is that of all.
@@ -189,7 +190,7 @@ int preview(const PreviewOptions& options) {
     stats["paths"] = total.paths;
     stats["bytes"]["bvh"] = total.bvh_bytes;
     stats["bytes"]["per_time"] =
-        moments[0].curves.points.bytes() + moments[0].curves.tangents.bytes();
+        moments[0].curves.bytes() - moments[0].curves.segments.bytes();
     stats["image"] = {{"width", settings.width},
                       {"height", settings.height},
                       {"samples", settings.samples}};

@@ -111,6 +111,7 @@ void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
         render.noise = 0;
         settings.shutter.reset();
         settings.camera.f_stop.reset();
+        settings.least_width = 0;
         settings.background = Vec3f::Constant(0.012f);
     }
     settings.denoise = options.denoise || options.draft;
@@ -118,7 +119,7 @@ void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
     if (options.samples) render.samples = *options.samples;
     if (options.noise) {
         render.noise = *options.noise;
-        if (!options.samples) render.samples = kMostAdaptiveSamples;
+        if (!settings.samples_given) render.samples = kMostAdaptiveSamples;
     }
     if (settings.denoise && render.samples < 2) {
         throw InputError(

@@ -38,11 +38,10 @@ bool same(const ScalpPose& a, const ScalpPose& b) {
 /// Strands that are wide in any picture are round, all of them and at all times.
 void choose_shape(std::span<const Camera> cameras, int height,
                   std::vector<ShownTime>& moments) {
-    float widest = 0;
-    for (const ShownTime& m : moments) {
-        widest = std::max(widest, widest_pixels(m.curves, cameras, height));
-    }
-    if (!(widest > kFlatPixels)) return;
+    const auto wide = [&](const ShownTime& m) {
+        return any_wider(m.curves, cameras, height, kFlatPixels);
+    };
+    if (!std::ranges::any_of(moments, wide)) return;
     for (ShownTime& m : moments) m.curves.shape = CurveShape::round;
 }
 
@@ -90,14 +89,14 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
         cost.expand += watch.lap();
         std::optional<TriangleMesh> body = body_of(generator.source, state.pose);
         moments.push_back({std::move(state), std::move(curves), std::move(body), {}});
-        if (job.preview.least_width > 0) {
-            moments.back().true_radii =
-                widen_thin_strands(moments.back().curves, cameras,
-                                   job.preview.render.height, job.preview.least_width);
-        }
     }
     if (!job.groom.expand.shape)
         choose_shape(cameras, job.preview.render.height, moments);
+    for (ShownTime& m : moments) {
+        if (!(job.preview.least_width > 0)) break;
+        m.true_radii = widen_thin_strands(m.curves, cameras, job.preview.render.height,
+                                          job.preview.least_width);
+    }
     HairScene geometry(scene_times(moments), {.true_radii = moments.front().true_radii,
                                               .crease = job.preview.crease,
                                               .aspect = job.preview.hair.aspect});

@@ -199,6 +199,12 @@ TEST(Views, ThatThereAreNotAreRefused) {
                 refuses_with("--view torsion: ", "position"));
     EXPECT_THAT(ask({folder.hair, "--view", "penetration"}),
                 refuses_with("--view penetration: ", "--scalp"));
+    // Two numbers only as doubles.
+    for (const char* range : {"0,1e-60", "1,1.00000000001", "-1e39,1e39"})
+        EXPECT_THAT(ask({folder.made, "--view", "curvature", "--view-range", range}),
+                    refuses_with("--view-range: ", ""));
+    EXPECT_THAT(ask({folder.made, "--view", "length-error", "--view-range", "1e-60,1"}),
+                refuses_with("--view-range: ", "logarithmic"));
     for (const char* range : {"1", "2,1", "0,nan", "0,inf", "a,b", "1,1"})
         EXPECT_THAT(ask({folder.made, "--view", "curvature", "--view-range", range}),
                     refuses_with("--view-range: ", range));
