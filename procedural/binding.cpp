@@ -15,7 +15,7 @@ namespace lancret {
 std::size_t Binding::bytes() const {
     return roots.bytes() + guides.size() * sizeof(guides[0]) +
            weights.size() * sizeof(float) + lengths.size() * sizeof(float) +
-           guide_normals.size() * sizeof(Vec3f);
+           guide_normals.size() * sizeof(Vec3f) + faces.size() * sizeof(Vec2f);
 }
 
 namespace {

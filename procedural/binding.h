@@ -64,6 +64,8 @@ struct Binding {
     std::vector<float> lengths;         ///< [children], cm: the intended length
     std::vector<Vec3f>
         guide_normals;  ///< [guides], of the scalp at each guide's root, at rest
+    std::vector<Vec2f>
+        faces;  ///< [children], of rest_faces; or empty: none are asked for
     BindReport report;
 
     std::size_t size() const { return lengths.size(); }

@@ -59,17 +59,21 @@ void bspline_points(std::span<const HelixState<float>> states, float ds,
     points[n + 2] = point(root + last, radius(n + 1));
 }
 
-void ribbon_normals(std::span<const HelixState<float>> states,
+Vec2f bent_face(std::span<const HelixState<float>> states) {
+    const Mat3f& root = states[0].frame;
+    const Vec3f chord = root.transpose() * (states.back().position - states[0].position);
+    const float bend = std::hypot(chord.y(), chord.z());
+    const bool straight = !(bend > 1e-4f * chord.norm());
+    if (straight) return {1, 0};
+    return {chord.y() / bend, chord.z() / bend};
+}
+
+void ribbon_normals(std::span<const HelixState<float>> states, const Vec2f& face,
                     std::span<Point4f> normals) {
     const std::size_t n = states.size() - 1;
     assert(normals.size() == n + 3);
-    const Mat3f& root = states[0].frame;
-    const Vec3f chord = root.transpose() * (states[n].position - states[0].position);
-    const float bend = std::hypot(chord.y(), chord.z());
-    const bool straight = !(bend > 1e-4f * chord.norm());
-    const float y = straight ? 1 : chord.y() / bend, z = straight ? 0 : chord.z() / bend;
     const auto normal = [&](std::size_t i) -> Vec3f {
-        return y * states[i].frame.col(1) + z * states[i].frame.col(2);
+        return face.x() * states[i].frame.col(1) + face.y() * states[i].frame.col(2);
     };
     for (std::size_t i = 0; i <= n; ++i) normals[i + 1] = point(normal(i), 0);
     // Such that the normal at the ends is that of the ends.

@@ -27,11 +27,16 @@ constexpr std::uint32_t control_points_of(CurveBasis basis, std::uint32_t interv
 void bspline_points(std::span<const HelixState<float>> states, float ds,
                     const Vec3f& root, const Taper& taper, std::span<Point4f> points);
 
-/// The face of a ribbon along that B-spline: control points of its normal. It lies at a
-/// fixed angle in the strand's own frame, so that it turns with the strand, and so that
-/// the strand bends over its face and not over its edge: towards where the tip is, seen
-/// along the root. A straight strand faces along n1. `normals` has n + 3.
-void ribbon_normals(std::span<const HelixState<float>> states,
+/// The face that a strand bends over, and not over its edge: towards where the tip is,
+/// seen along the root; of a straight strand along n1. Unit: cosine and sine of its angle
+/// from n1 to n2. It flips where a strand swings through straight: to be asked of one
+/// pose.
+Vec2f bent_face(std::span<const HelixState<float>> states);
+
+/// A strand's face along that B-spline: control points of its normal. It lies at the
+/// angle `face` (bent_face's) in the strand's own frame, and so turns with the strand.
+/// `normals` has n + 3.
+void ribbon_normals(std::span<const HelixState<float>> states, const Vec2f& face,
                     std::span<Point4f> normals);
 
 /// The same as cubic Hermite: the places and their tangents times `ds`; both spans have n

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "procedural/faces.h"
+
 namespace lancret {
 
 template <class T>
@@ -34,9 +36,11 @@ Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
     out.points = Buffer<Point4f>(strands * out.points_per_strand);
     out.segments = Buffer<std::uint32_t>(strands * n);
     const bool hermite = settings.basis == CurveBasis::hermite;
-    const bool faces = settings.faces || out.shape == CurveShape::ribbon;
+    const bool faces = settings.has_faces();
     if (hermite && faces)
         throw std::invalid_argument("expand: faces are of B-splines alone");
+    if (faces && binding.faces.size() != strands)
+        throw std::invalid_argument("expand: faces need those that rest_faces chooses");
     if (hermite) out.tangents = Buffer<Point4f>(out.points.size());
     if (faces) out.normals = Buffer<Point4f>(out.points.size());
 
@@ -55,8 +59,10 @@ Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
                 bspline_points(states, ds, root, settings.taper, points);
             }
             if (faces) {
-                ribbon_normals(states,
-                               out.normals.span().subspan(first, out.points_per_strand));
+                ribbon_normals(
+                    states,
+                    face_at(binding, profiles, settings.blend, i, states[0].frame),
+                    out.normals.span().subspan(first, out.points_per_strand));
             }
             for (std::size_t j = 0; j < n; ++j) {
                 out.segments[i * n + j] = std::uint32_t(first + j);

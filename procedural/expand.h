@@ -18,9 +18,12 @@ struct ExpandSettings {
     bool faces = false;  ///< whether to give the normals of strands that are no ribbons
     Taper taper{};
     std::uint32_t chunk = 256;  ///< strands that one task expands at a time, >= 1
+
+    bool has_faces() const { return faces || shape == CurveShape::ribbon; }
 };
 
-/// All children as control points. The guides' profiles say at how many intervals.
+/// All children as control points. The guides' profiles say at how many intervals. Throws
+/// std::invalid_argument where faces are asked for and the binding has none.
 Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
               const ExpandSettings& settings);
 

@@ -5,6 +5,7 @@
 #include "guides/errors.h"
 #include "procedural/child_roots.h"
 #include "procedural/emission.h"
+#include "procedural/faces.h"
 #include "procedural/stopwatch.h"
 
 namespace lancret {
@@ -58,6 +59,8 @@ Generator make_generator(const Groom& groom, const StageCallback& stage) {
         throw InputError(fmt::format("{}: {}", groom.name, error.what()));
     }
     out.profiles = guide_profiles<float>(source.guides, intervals);
+    if (groom.expand.has_faces())
+        out.binding.faces = rest_faces(out.binding, out.profiles, groom.expand.blend);
     out.seconds.bind = watch.lap();
     return out;
 }

@@ -1,7 +1,7 @@
 #pragma once
-// Children at another time. What binding decides (guides, weights, lengths) is decided at
-// rest and stays; only where roots stand and which way their normals point follows the
-// scalp. Those few numbers are written in place, from their rest values.
+// Children at another time. What binding decides (guides, weights, lengths, faces) is
+// decided at rest and stays; only where roots stand and which way their normals point
+// follows the scalp. Those few numbers are written in place, from their rest values.
 
 #include <functional>
 #include <span>

@@ -96,7 +96,10 @@ void SceneShape::complete_strand(const Ray& ray, Hit& hit) const {
     hit.facing = unit_across(-ray.direction, hit.tangent);
     const Vec3f across = hit.facing.cross(hit.tangent);
     if (curves[0]->shape == CurveShape::ribbon) {
-        hit.normal.normalize();
+        // Between two times that face against each other there may be no normal left.
+        const float length = hit.normal.norm();
+        hit.normal =
+            length > 0 && std::isfinite(length) ? Vec3f(hit.normal / length) : hit.facing;
         hit.shading_normal =
             hit.normal.dot(ray.direction) > 0 ? Vec3f(-hit.normal) : hit.normal;
         hit.offset = hit.position - here.value.head<3>();

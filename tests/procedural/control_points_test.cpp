@@ -194,7 +194,7 @@ TEST(RibbonNormals, AStrandBendsOverItsFace) {
     const Vec3 u = 0.3 * Vec3::UnitX().cross(bend);
     const auto states = helix_states(u, 0.5, 10);
     std::vector<Point4f> normals(13);
-    ribbon_normals(states, normals);
+    ribbon_normals(states, bent_face(states), normals);
     for (std::size_t j = 0; j < 10; ++j)
         for (const bool middle : {false, true}) {
             const double turned = 0.15 * (double(j) + (middle ? 0.5 : 0));
@@ -208,7 +208,7 @@ TEST(RibbonNormals, AStraightStrandFacesAlongItsFrameAndTurnsWithIt) {
     // Twist alone: the face is n1, which turns by 0.2 an interval about the tangent.
     const auto states = helix_states(Vec3(0.4, 0, 0), 0.5, 8);
     std::vector<Point4f> normals(11);
-    ribbon_normals(states, normals);
+    ribbon_normals(states, bent_face(states), normals);
     for (std::size_t j = 0; j < 8; ++j) {
         const double turned = 0.2 * double(j);
         const Vec3 face(0, std::cos(turned), std::sin(turned));

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "render_test/render.h"
 #include "render_test/sampling.h"
+#include "render_test/scene_shape.h"
 #include "tests/render_test/make_curves.h"
 #include "tests/render_test/random.h"
 #include "tests/render_test/statistics.h"
@@ -89,6 +93,51 @@ TEST(Ribbon, DoesNotMeetItselfAgain) {
     }
     EXPECT_GT(tries, 10000);
     EXPECT_EQ(again, 0);
+}
+
+TEST(Ribbon, HitsHaveANormalWhereTwoTimesFaceAgainstEachOther) {
+    // Halfway between the two times nothing is left of the face; before and after it is
+    // that of the nearer time.
+    const Curves from = twisted(0.3f, 0.05f);
+    Curves to = twisted(0.3f, 0.05f);
+    for (Point4f& n : to.normals.span()) n = {-n.x, -n.y, -n.z, 0};
+    const HairScene scene(std::array{SceneTime{&from}, SceneTime{&to}});
+    Random random{std::mt19937(6)};
+    int sure = 0;
+    for (const float time : {0.25f, 0.49999997f, 0.5f, 0.50000006f, 0.75f})
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3f target(0.2f + 3.6f * random(), 0.5f * random() - 0.25f, 0);
+            const Vec3f origin = target + 5 * uniform_sphere(random.pair());
+            Ray ray = ray_along(origin, target - origin);
+            ray.time = time;
+            const auto hit = scene.intersect(ray);
+            if (!hit) continue;
+            ASSERT_TRUE(hit->position.allFinite());
+            // Rounding of a few unit vectors.
+            ASSERT_NEAR(hit->normal.norm(), 1, 1e-6) << time;
+            ASSERT_NEAR(hit->shading_normal.norm(), 1, 1e-6) << time;
+            ASSERT_LE(hit->shading_normal.dot(ray.direction), 1e-6f) << time;
+            sure += time == 0.25f || time == 0.75f;
+        }
+    EXPECT_GT(sure, 1000);
+}
+
+TEST(Ribbon, AHitWithoutANormalFacesTheRay) {
+    const Curves curves = twisted(0.3f, 0);
+    SceneShape shape;
+    shape.curves = {&curves};
+    const Ray ray = ray_along({1.5f, 0.1f, 5}, {0.1f, 0.2f, -1});
+    for (const float none : {0.0f, 1e-30f, NAN, INFINITY}) {
+        Hit hit;
+        hit.primitive = 1, hit.u = 0.5f;
+        hit.position = Vec3f(1.5f, 0.1f, 0);
+        hit.normal = Vec3f(0, none, 0);
+        shape.complete_strand(ray, hit);
+        // The ray's way back, without its part along the strand (+x).
+        const Vec3f facing = Vec3f(0, -0.2f, 1).normalized();
+        EXPECT_LT((hit.normal - facing).norm(), 1e-6f) << none;
+        EXPECT_LT((hit.shading_normal - facing).norm(), 1e-6f) << none;
+    }
 }
 
 TEST(Ribbon, WhiteBladesInAnEvenSkyAreAsBrightAsTheSky) {
