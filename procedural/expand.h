@@ -14,7 +14,7 @@ namespace lancret {
 struct ExpandSettings {
     Blend blend = Blend::detail;
     CurveBasis basis = CurveBasis::bspline;
-    std::optional<CurveShape> shape;  ///< none: flat, for who draws them to change
+    std::optional<CurveShape> shape = {};  ///< none: flat, for who draws them to change
     bool faces = false;  ///< whether to give the normals of strands that are no ribbons
     Taper taper{};
     std::uint32_t chunk = 256;  ///< strands that one task expands at a time, >= 1
