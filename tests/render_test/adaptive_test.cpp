@@ -9,7 +9,7 @@
 
 #include "render_test/render.h"
 #include "render_test/sampling.h"
-#include "tests/render_test/make_curves.h"
+#include "tests/render_test/hairy_ball.h"
 
 namespace lancret {
 namespace {
@@ -58,21 +58,10 @@ TEST(Adaptive, OneBrightSampleCountsForThePixelsAroundIt) {
         }
 }
 
-struct Groom {
-    Curves curves = hairy_sphere(1500, 8, 0.03f);
-    TriangleMesh mesh = sphere_mesh(32, 16);
-    HairScene geometry{curves, &mesh};
-    RenderScene scene;
-    Camera camera = framed(geometry.bounds(), {});
-    RenderSettings settings;
-
-    Groom() {
-        scene.geometry = &geometry;
-        scene.lights = default_lights(camera.view(), Vec3f::UnitY());
-        settings.width = 64, settings.height = 48, settings.samples = 1024;
-    }
+struct Groom : HairyBall {
+    Groom() : HairyBall(64, 48, 1024) {}
     Image image(std::uint64_t* paths = nullptr) const {
-        return render(scene, camera, settings, [&](const RenderProgress& p) {
+        return HairyBall::image([&](const RenderProgress& p) {
             if (paths) *paths = p.paths;
         });
     }

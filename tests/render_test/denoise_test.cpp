@@ -7,28 +7,16 @@
 #include <stdexcept>
 
 #include "render_test/render.h"
-#include "tests/render_test/make_curves.h"
+#include "tests/render_test/hairy_ball.h"
 
 namespace lancret {
 namespace {
 
-struct Ball {
-    Curves curves = hairy_sphere(6000, 8, 0.02f);
-    TriangleMesh mesh = sphere_mesh(32, 16);
-    HairScene geometry{curves, &mesh};
-    RenderScene scene;
-    Camera camera = framed(geometry.bounds(), {});
-    RenderSettings settings;
-
-    Ball() {
-        scene.geometry = &geometry;
-        scene.lights = default_lights(camera.view(), Vec3f::UnitY());
-        settings.width = settings.height = 48;
-        settings.channels.variance = true;
-    }
+struct Ball : HairyBall {
+    Ball() : HairyBall(48, 48, 1, 6000, 0.02f) { settings.channels.variance = true; }
     Image image(int samples, std::uint64_t seed) {
         settings.samples = samples, settings.seed = seed;
-        return render(scene, camera, settings);
+        return HairyBall::image();
     }
 };
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render_test/render.h"
-#include "tests/render_test/make_curves.h"
+#include "tests/render_test/hairy_ball.h"
 #include "tests/render_test/statistics.h"
 
 namespace lancret {
@@ -53,21 +53,8 @@ TEST(Film, DepthIsTheNearest) {
     EXPECT_EQ(film.sums.depth[0], 4);
 }
 
-/// A hairy ball, and pictures of it of any seed.
-struct Ball {
-    Curves curves = hairy_sphere(1500, 8, 0.03f);
-    TriangleMesh mesh = sphere_mesh(32, 16);
-    HairScene geometry{curves, &mesh};
-    RenderScene scene;
-    Camera camera = framed(geometry.bounds(), {});
-    RenderSettings settings;
-
-    Ball() {
-        scene.geometry = &geometry;
-        scene.lights = default_lights(camera.view(), Vec3f::UnitY());
-        settings.width = settings.height = 16;
-        settings.channels.variance = true;
-    }
+struct Ball : HairyBall {
+    Ball() : HairyBall(16, 16, 1) { settings.channels.variance = true; }
 };
 
 TEST(Film, VarianceBoundsThatOfPicturesOfOtherSeeds) {

@@ -9,25 +9,13 @@
 #include <mutex>
 #include <vector>
 
-#include "tests/render_test/make_curves.h"
+#include "tests/render_test/hairy_ball.h"
 
 namespace lancret {
 namespace {
 
-struct Groom {
-    Curves curves = hairy_sphere(1500, 8, 0.03f);
-    TriangleMesh mesh = sphere_mesh(32, 16);
-    HairScene geometry{curves, &mesh};
-    RenderScene scene;
-    Camera camera = framed(geometry.bounds(), {});
-    RenderSettings settings;
-
-    Groom() {
-        scene.geometry = &geometry;
-        scene.lights = default_lights(camera.view(), Vec3f::UnitY());
-        settings.width = 50, settings.height = 41, settings.samples = 4;
-    }
-    Image image() const { return render(scene, camera, settings); }
+struct Groom : HairyBall {
+    Groom() : HairyBall(50, 41, 4) {}
 };
 
 template <class T>
