@@ -16,11 +16,17 @@ struct ExpandSettings {
     CurveShape shape = CurveShape::flat;
     Taper taper{};
     std::uint32_t chunk = 256;  ///< strands that one task expands at a time, >= 1
+    bool kernels = true;        ///< vectors where a kernel has the blend; false: scalar
+                                ///< blends alone, to compare with
 };
 
 /// All children as control points. The guides' profiles say at how many intervals.
 Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
               const ExpandSettings& settings);
+
+/// The same into `out`, whose memory is used again where its sizes fit: the next frame.
+void expand(const Binding& binding, const GuideProfiles<float>& profiles,
+            const ExpandSettings& settings, Curves& out);
 
 /// Child i as it is synthesised, before its control points are made: profiles.count + 1
 /// places at equal steps of arc length, positions from its root in cm. What `check` looks
