@@ -1,15 +1,23 @@
 #include "procedural/kernels/strand_kernels.h"
 
+#include "procedural/kernels/curl_kernel.h"
 #include "procedural/kernels/position_kernel.h"
 
 namespace lancret {
 
 bool has_kernel(Blend blend, CurveBasis basis) {
-    return blend == Blend::position && basis == CurveBasis::bspline;
+    return is_curl(blend) || (blend == Blend::position && basis == CurveBasis::bspline);
+}
+
+bool synthesize_strands(const KernelInput& in, std::size_t first, std::size_t count,
+                        std::span<HelixState<float>> states) {
+    if (!is_curl(in.blend)) return false;
+    synthesize_curls(in, first, count, states);
+    return true;
 }
 
 void expand_strands(const KernelInput& in, const KernelOutput& out) {
-    expand_positions(in, out);
+    (is_curl(in.blend) ? expand_curls : expand_positions)(in, out);
 }
 
 }  // namespace lancret
