@@ -8,7 +8,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "procedural/expand.h"
 #include "procedural/kernels/curl_kernel.h"
@@ -19,6 +18,8 @@
 #include "procedural/kernels/lane_math.inl"
 //
 #include "procedural/kernels/curl_lanes.inl"
+//
+#include "procedural/kernels/transpose_rows.inl"
 //
 #include "procedural/kernels/fill_batch.inl"
 
@@ -31,7 +32,7 @@ void synthesize(const KernelInput& in, std::size_t first, std::size_t used,
     const bool with_anchor = in.blend == Blend::detail;
     fill_batch(in, first, used, with_anchor, batch);
     store4(lanes_start(batch), batch.frames.get());
-    LanesSpine own = walk(in, in.guides.curvatures.data(), with_anchor, batch);
+    LanesSpine own = walk(in, with_anchor, batch);
     if (with_anchor) {
         const LanesGoal goal = lanes_goal(batch);
         for (int j = 2; j < kSpineTerms; ++j) {
@@ -166,6 +167,7 @@ void SynthesizeCurls(const KernelInput& in, std::size_t first, std::size_t count
                 const float* p = &batch.places[(i + 2) * 3 * lanes + lane];
                 own[i].frame =
                     Eigen::Quaterniond(q[0], q[lanes], q[2 * lanes], q[3 * lanes])
+                        .normalized()  // the same rotation, at whatever length
                         .toRotationMatrix()
                         .cast<float>();
                 own[i].position = {p[0], p[lanes], p[2 * lanes]};

@@ -100,22 +100,17 @@ HWY_INLINE Lanes4 lanes_start(const StrandBatch& batch) {
 
 /// Frames along the curvatures, to `frames`; the sum of the chords times the polynomials
 /// in the intervals' middles is the strand's own spine, over the length.
-HWY_INLINE LanesSpine walk(const KernelInput& in, const float* curvatures,
-                           bool with_spine, StrandBatch& batch) {
+HWY_INLINE LanesSpine walk(const KernelInput& in, bool with_spine, StrandBatch& batch) {
     const D d;
-    const hn::RebindToSigned<D> di;
-    const std::size_t n = batch.intervals, lanes = hn::Lanes(d), stride = batch.stride;
+    const std::size_t n = batch.intervals, lanes = hn::Lanes(d);
     const V share = set(1 / float(n));
     const V ds = hn::Mul(hn::Load(d, batch.length), share);
-    const auto row = hn::Load(di, batch.curvature_row);
     const V zero = hn::Zero(d);
     LanesSpine own;
     for (Lanes3& term : own.terms) term = {zero, zero, zero};
     Lanes4 q = load4(batch.frames.get());
     for (std::size_t i = 0; i < n; ++i) {
-        const Lanes3 u{hn::GatherIndex(d, curvatures + i, row),
-                       hn::GatherIndex(d, curvatures + stride + i, row),
-                       hn::GatherIndex(d, curvatures + 2 * stride + i, row)};
+        const Lanes3 u = load3(&batch.curvatures[i * lanes], batch.stride * lanes);
         const LanesStep step = lanes_step(times(ds, u));
         if (with_spine) {
             const Lanes3 chord = times(share, rotated(q, step.displacement));
@@ -158,9 +153,7 @@ HWY_INLINE Lanes4 anchored(const Lanes4& q, const Lanes3& from, const Lanes3& to
 HWY_INLINE void put_places(const KernelInput& in, const LanesSpine* own,
                            const LanesSpine* goal, StrandBatch& batch) {
     const D d;
-    const hn::RebindToSigned<D> di;
     const std::size_t n = batch.intervals, lanes = hn::Lanes(d);
-    const auto row = hn::Mul(hn::Iota(di, 0), hn::Set(di, std::int32_t(batch.stride)));
     const V ds = hn::Mul(hn::Load(d, batch.length), set(1 / float(n)));
     const V zero = hn::Zero(d);
     float* const places = batch.places.get() + 2 * 3 * lanes;  // of the root
@@ -173,7 +166,7 @@ HWY_INLINE void put_places(const KernelInput& in, const LanesSpine* own,
         if (goal) {
             const auto& basis = in.profiles.basis.at_places[i];
             q = anchored(q, at_place(*own, basis), at_place(*goal, basis),
-                         hn::GatherIndex(d, batch.advances.get() + i, row));
+                         hn::Load(d, &batch.advances[i * lanes]));
         }
         if (i > 0) {
             // q and -q are one rotation: the nearer one.

@@ -28,16 +28,14 @@ HWY_INLINE void fill_guides(const KernelGuides& guides,
         const bool used = k < child.count;
         const std::uint32_t g = child.guides[used ? k : child.heaviest];
         batch.shares[k][lane] = used ? shares[k] /= sum : 0;
-        float record[16];
-        std::memcpy(record, &guides.records[g], sizeof(record));
-        for (std::size_t j = 0; j < 16; ++j) batch.records[k][j][lane] = record[j];
+        batch.record_rows[k][lane] = guides.records[g].normal;
     }
     for (std::size_t i = 0; i <= batch.intervals; i += hn::Lanes(d)) {
         V advance = hn::Mul(set(shares[0]), hn::Load(d, rows[0] + i));
         for (std::size_t k = 1; k < child.count; ++k) {
             advance = hn::MulAdd(set(shares[k]), hn::Load(d, rows[k] + i), advance);
         }
-        hn::Store(advance, d, &batch.advances[lane * batch.stride + i]);
+        hn::Store(advance, d, &batch.rows[(3 * hn::Lanes(d) + lane) * batch.stride + i]);
     }
 }
 
@@ -46,7 +44,9 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
                            bool with_anchor, StrandBatch& batch) {
     static_assert(sizeof(GuideRecord) == 16 * sizeof(float));
     const Binding& binding = in.binding;
-    for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane) {
+    const std::size_t lanes = hn::Lanes(D());
+    const float* curvatures[kMostLanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
         const std::size_t i = first + std::min(lane, used - 1);
         LightChild& child = batch.children[lane] = light_child(binding, i);
         const std::uint32_t heaviest = child.guides[child.heaviest];
@@ -63,9 +63,10 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
         for (int axis = 0; axis < 3; ++axis) {
             batch.start[axis + 1][lane] = start.vec()[axis];
         }
-        batch.curvature_row[lane] = std::int32_t(heaviest * 3 * batch.stride);
+        curvatures[lane] = &in.guides.curvatures[heaviest * 3 * batch.stride];
         const float ds = binding.lengths[i] / float(batch.intervals);
-        bool scalar = !(in.guides.most_curved[heaviest] * ds <= kMostKernelTurn);
+        const float most = with_anchor ? kMostTurnAnchored : kMostTurnAlone;
+        bool scalar = !(in.guides.most_curved[heaviest] * ds <= most);
         for (std::size_t k = 0; k < child.count; ++k) {
             const Vec3f& normal = binding.guide_normals[child.guides[k]];
             scalar = scalar || !(normal.dot(up) >= kOpposedCosine);
@@ -73,6 +74,22 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
         batch.scalar[lane] = scalar;
         if (with_anchor) fill_guides(in.guides, in.profiles, lane, batch);
     }
+    const std::size_t n = batch.intervals, stride = batch.stride;
+    for (int axis = 0; axis < 3; ++axis) {
+        transpose_rows(curvatures, lanes, n, &batch.curvatures[axis * stride * lanes],
+                       lanes);
+        for (const float*& row : std::span(curvatures, lanes)) row += stride;
+    }
+    if (!with_anchor) return;
+    for (std::size_t k = 0; k < batch.neighbours; ++k) {
+        transpose_rows(batch.record_rows[k], lanes, 16, &batch.records[k][0][0],
+                       kMostLanes);
+    }
+    const float* advances[kMostLanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        advances[lane] = &batch.rows[(3 * lanes + lane) * stride];
+    }
+    transpose_rows(advances, lanes, n + 1, batch.advances.get(), lanes);
 }
 
 }  // namespace lancret::HWY_NAMESPACE

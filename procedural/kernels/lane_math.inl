@@ -104,18 +104,22 @@ HWY_INLINE V polynomial(V x, const float (&c)[kCount]) {
     return sum;
 }
 
-// Chebyshev interpolation on the stated range; the relative error of each is stated as
-// well, a float's half ulp being 6e-8.
+// Chebyshev interpolation on the stated range; the largest error of each is stated as
+// well, absolute for the first three and relative for the others; half an ulp of 1 is
+// 6e-8.
 
-/// cos sqrt(y), y in [0, 1]: 1e-9.
-constexpr float kCosine[] = {1.0f, -4.99999974e-01f, 4.16664552e-02f, -1.38829578e-03f,
-                             2.41210731e-05f};
-/// sin sqrt(y) / sqrt(y), y in [0, 1]: 6e-11.
-constexpr float kSinc[] = {1.0f, -1.666666643e-01f, 8.333314057e-03f, -1.983586443e-04f,
-                           2.693749887e-06f};
-/// (t - sin t) / t^3 of x = t^2 in [0, 4]: 2e-9.
-constexpr float kThird[] = {1.666666664e-01f, -8.333329504e-03f, 1.984050238e-04f,
-                            -2.750335687e-06f, 2.349494038e-08f};
+/// cos sqrt(y), y in [0, pi^2]: 2e-10.
+constexpr float kCosine[] = {9.999999999e-01f,  -4.999999985e-01f, 4.166666348e-02f,
+                             -1.388886297e-03f, 2.480055131e-05f,  -2.753476714e-07f,
+                             2.060332760e-09f,  -9.721726448e-12f};
+/// sin sqrt(y) / sqrt(y), y in [0, pi^2]: 8e-10.
+constexpr float kSinc[] = {9.999999993e-01f,  -1.666666592e-01f, 8.333321236e-03f,
+                           -1.984053154e-04f, 2.753580020e-06f,  -2.472836363e-08f,
+                           1.361158568e-10f};
+/// (t - sin t) / t^3 of x = t^2 in [0, 4 pi^2]: 1e-9.
+constexpr float kThird[] = {1.666666657e-01f,  -8.333330039e-03f, 1.984109388e-04f,
+                            -2.755372585e-06f, 2.501588377e-08f,  -1.585905540e-10f,
+                            7.025528928e-13f,  -1.765459113e-15f};
 // Of z = 1 - cos h in [0, 1], h the half of an angle up to pi.
 /// (h - sin h) / (h sin^2 h): 6e-8.
 constexpr float kAlong[] = {1.666666566e-01f,  9.444644475e-02f, 4.980255211e-02f,
@@ -128,8 +132,7 @@ constexpr float kMiddle[] = {2.499999989e-01f,  4.166687866e-02f, 1.527086723e-0
                              -3.460321422e-03f, 5.283701365e-03f, -3.374442464e-03f,
                              1.157460538e-03f};
 
-/// The step of a helix in the frame at its start: helix_step, for turns up to
-/// kMostKernelTurn.
+/// The step of a helix in the frame at its start: helix_step, for turns up to 2 pi.
 struct LanesStep {
     Lanes4 turn;
     Lanes3 displacement;  ///< over ds

@@ -9,8 +9,11 @@
 
 namespace lancret {
 
-/// An interval may turn by so many radians in a kernel.
-inline constexpr float kMostKernelTurn = 2;
+/// An interval may turn by so many radians in a kernel: as far as lane_math.inl has a
+/// step. Where frames are turned once more after it, the blends themselves take the helix
+/// of less than half a turn between two; where they are not, only up to half a turn is
+/// that one the guide's.
+inline constexpr float kMostTurnAnchored = 6.28f, kMostTurnAlone = 3.1f;
 
 /// The cosine between two normals below which they are opposed, for smallest_rotation
 /// too.
@@ -22,6 +25,7 @@ inline constexpr std::size_t kMostLanes = 16;
 struct StrandBatch {
     std::size_t intervals, stride, neighbours;
     LightChild children[kMostLanes];
+    const float* record_rows[kMaxNeighbours][kMostLanes];  ///< to be `records`
     bool scalar[kMostLanes];  ///< left to the scalar blends: turns or normals too far
 
     alignas(64) float length[kMostLanes];           ///< cm
@@ -31,12 +35,12 @@ struct StrandBatch {
     alignas(64) float start[4][kMostLanes];         ///< w x y z: its root frame
     alignas(64) float shares[kMaxNeighbours][kMostLanes];       ///< w L over their sum
     alignas(64) float records[kMaxNeighbours][16][kMostLanes];  ///< GuideRecord
-    alignas(64) std::int32_t curvature_row[kMostLanes];         ///< its first float
 
-    hwy::AlignedFreeUniquePtr<float[]> advances;  ///< [lanes][stride], blended
-    hwy::AlignedFreeUniquePtr<float[]> rates;     ///< [lanes][3][stride] curvatures of
-                                                  ///< blends that make their own, 1/cm
-    hwy::AlignedFreeUniquePtr<float[]> frames;    ///< [places][4][lanes] w x y z
+    hwy::AlignedFreeUniquePtr<float[]> rows;  ///< [4][lanes][stride]: rates that blends
+                                              ///< make themselves, then advances
+    hwy::AlignedFreeUniquePtr<float[]> curvatures;  ///< [3][stride][lanes] 1/cm
+    hwy::AlignedFreeUniquePtr<float[]> advances;    ///< [stride][lanes]
+    hwy::AlignedFreeUniquePtr<float[]> frames;      ///< [places][4][lanes] w x y z
     hwy::AlignedFreeUniquePtr<float[]> places;  ///< [places + 4][3][lanes] from the root
                                                 ///< in cm; two beyond each end
     hwy::AlignedFreeUniquePtr<float[]> points;  ///< [control points][lanes][4]
@@ -45,8 +49,9 @@ struct StrandBatch {
         : intervals(in.guides.count),
           stride(in.guides.place_stride),
           neighbours(std::size_t(in.binding.neighbours)),
+          rows(hwy::AllocateAligned<float>(4 * lanes * stride)),
+          curvatures(hwy::AllocateAligned<float>(3 * lanes * stride)),
           advances(hwy::AllocateAligned<float>(lanes * stride)),
-          rates(hwy::AllocateAligned<float>(lanes * 3 * stride)),
           frames(hwy::AllocateAligned<float>((intervals + 1) * 4 * lanes)),
           places(hwy::AllocateAligned<float>((intervals + 5) * 3 * lanes)),
           points(hwy::AllocateAligned<float>((intervals + 3) * 4 * lanes)) {}
