@@ -38,10 +38,9 @@ void synthesize(const KernelInput& in, std::size_t first, std::size_t used,
         for (int j = 2; j < kSpineTerms; ++j) {
             own.terms[j] = times(goal.taper[j], own.terms[j]);
         }
-        put_places(in, &own, &goal.spine, batch);
-    } else {
-        put_places(in, nullptr, nullptr, batch);
+        anchor_frames(in, own, goal.spine, batch);
     }
+    put_places(batch);
 }
 
 /// B-spline control points of every lane to `points`: bspline_points.

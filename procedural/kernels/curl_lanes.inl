@@ -148,10 +148,21 @@ HWY_INLINE Lanes4 anchored(const Lanes4& q, const Lanes3& from, const Lanes3& to
     return normalized(product(turn, product(tilt, q)));
 }
 
-/// Turns the frames onto the goal, or leaves them where there is none, and puts the
-/// places between them; two more places beyond either end.
-HWY_INLINE void put_places(const KernelInput& in, const LanesSpine* own,
-                           const LanesSpine* goal, StrandBatch& batch) {
+/// Turns the frames from their own spine onto the goal.
+HWY_INLINE void anchor_frames(const KernelInput& in, const LanesSpine& own,
+                              const LanesSpine& goal, StrandBatch& batch) {
+    const std::size_t lanes = hn::Lanes(D());
+    for (std::size_t i = 0; i <= batch.intervals; ++i) {
+        float* const frame = &batch.frames[i * 4 * lanes];
+        const auto& basis = in.profiles.basis.at_places[i];
+        store4(anchored(load4(frame), at_place(own, basis), at_place(goal, basis),
+                        hn::Load(D(), &batch.advances[i * lanes])),
+               frame);
+    }
+}
+
+/// Puts the places between the frames; two more beyond either end.
+HWY_INLINE void put_places(StrandBatch& batch) {
     const D d;
     const std::size_t n = batch.intervals, lanes = hn::Lanes(d);
     const V ds = hn::Mul(hn::Load(d, batch.length), set(1 / float(n)));
@@ -163,16 +174,11 @@ HWY_INLINE void put_places(const KernelInput& in, const LanesSpine* own,
     for (std::size_t i = 0; i <= n; ++i) {
         float* const frame = &batch.frames[i * 4 * lanes];
         Lanes4 q = load4(frame);
-        if (goal) {
-            const auto& basis = in.profiles.basis.at_places[i];
-            q = anchored(q, at_place(*own, basis), at_place(*goal, basis),
-                         hn::Load(d, &batch.advances[i * lanes]));
-        }
         if (i > 0) {
             // q and -q are one rotation: the nearer one.
-            const V sign = hn::CopySignToAbs(set(1), dot(before, q));
-            q = times(sign, q);
-            helix = lanes_between(before, q);
+            const V cosine = dot(before, q);
+            q = times(hn::CopySignToAbs(set(1), cosine), q);
+            helix = lanes_between(before, q, hn::Abs(cosine));
             place = times_plus(ds, helix.chord, place);
             if (i == 1) {
                 const Lanes4 back = conjugate(helix.turn);

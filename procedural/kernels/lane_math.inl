@@ -149,8 +149,8 @@ HWY_INLINE LanesStep lanes_step(const Lanes3& w) {
              hn::NegMulAdd(c2, w.y, hn::Mul(c3x, w.z))}};
 }
 
-/// The helix between two frames, whose quaternions have a dot product >= 0: how space
-/// turns from one to the other, and the chord over the arc length.
+/// The helix between two frames, whose quaternions have the dot product `cosine` >= 0:
+/// how space turns from one to the other, and the chord over the arc length.
 ///
 /// Seen from the frame in the middle, a helix that turns by 2 h about the axis a goes
 /// (sin h / h) e0 + (1 - sin h / h) (e0 . a) a.
@@ -159,12 +159,15 @@ struct LanesBetween {
     Lanes3 chord;
 };
 
-HWY_INLINE LanesBetween lanes_between(const Lanes4& from, const Lanes4& to) {
-    const V cosine = dot(from, to), z = hn::Sub(set(1), cosine);
+HWY_INLINE LanesBetween lanes_between(const Lanes4& from, const Lanes4& to, V cosine) {
+    const V z = hn::Sub(set(1), cosine);
     const Lanes4 turn = product(to, conjugate(from));
     const Lanes4 middle = {hn::Add(from.w, to.w), from.v + to.v};
-    // The axis' component along the tangent is the same at either end.
-    const V along = dot(turn.v, first_axis(from));
+    // The turn's axis along the tangent, the same at either end.
+    const V along = hn::NegMulAdd(
+        from.v.x, to.w,
+        hn::MulAdd(from.v.z, to.v.y,
+                   hn::NegMulAdd(from.v.y, to.v.z, hn::Mul(from.w, to.v.x))));
     const V share = hn::Mul(polynomial(z, kAlong), along);
     return {{cosine, turn.v},
             times_plus(polynomial(z, kMiddle), first_axis(middle), times(share, turn.v))};
