@@ -71,6 +71,27 @@ void expand_scalar(const Binding& binding, const GuideProfiles<float>& profiles,
 
 }  // namespace
 
+Synthesis::Synthesis(const Binding& bound, const GuideProfiles<float>& of_guides,
+                     Blend chosen)
+    : binding(bound), profiles(of_guides), blend(chosen) {
+    if (is_curl(blend)) guides = kernel_guides(profiles, binding.guide_normals);
+}
+
+void synthesize(const Synthesis& synthesis, std::size_t first, std::size_t count,
+                std::span<HelixState<float>> states) {
+    const auto& [binding, profiles, blend, guides] = synthesis;
+    const std::size_t places = std::size_t(profiles.count) + 1;
+    if (guides.size() > 0) {
+        const KernelInput in{binding, profiles, guides, blend, CurveBasis::bspline, {}};
+        synthesize_strands(in, first, count, states);
+        return;
+    }
+    for (std::size_t s = 0; s < count; ++s) {
+        synthesize_child<float>(binding, profiles, blend, first + s,
+                                states.subspan(s * places, places));
+    }
+}
+
 void expand(const Binding& binding, const GuideProfiles<float>& profiles,
             const ExpandSettings& settings, Curves& out) {
     make_room(binding, std::size_t(profiles.count), settings, out);

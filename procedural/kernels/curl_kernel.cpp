@@ -184,8 +184,6 @@ namespace lancret {
 HWY_EXPORT(ExpandCurls);
 HWY_EXPORT(SynthesizeCurls);
 
-bool is_curl(Blend blend) { return blend == Blend::detail || blend == Blend::nearest; }
-
 void expand_curls(const KernelInput& in, const KernelOutput& out) {
     HWY_DYNAMIC_DISPATCH(ExpandCurls)(in, out);
 }

@@ -4,13 +4,10 @@
 
 namespace lancret {
 
-/// Whether the blend goes along curvatures and has a kernel.
-bool is_curl(Blend blend);
-
 /// Control points of children, for blends that go along curvatures.
 void expand_curls(const KernelInput& in, const KernelOutput& out);
 
-/// Their frames and places: `states` has intervals + 1 for each.
+/// Their frames and places: synthesize_strands.
 void synthesize_curls(const KernelInput& in, std::size_t first, std::size_t count,
                       std::span<HelixState<float>> states);
 

@@ -5,15 +5,15 @@
 
 namespace lancret {
 
+bool is_curl(Blend blend) { return blend == Blend::detail || blend == Blend::nearest; }
+
 bool has_kernel(Blend blend, CurveBasis basis) {
     return is_curl(blend) || (blend == Blend::position && basis == CurveBasis::bspline);
 }
 
-bool synthesize_strands(const KernelInput& in, std::size_t first, std::size_t count,
+void synthesize_strands(const KernelInput& in, std::size_t first, std::size_t count,
                         std::span<HelixState<float>> states) {
-    if (!is_curl(in.blend)) return false;
     synthesize_curls(in, first, count, states);
-    return true;
 }
 
 void expand_strands(const KernelInput& in, const KernelOutput& out) {

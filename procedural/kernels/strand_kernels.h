@@ -36,13 +36,15 @@ struct KernelOutput {
     bool past_caches;  ///< by streaming stores: nobody reads them soon
 };
 
+/// Whether the blend goes along curvatures and has a kernel for them.
+bool is_curl(Blend blend);
+
 /// Whether there is a kernel; where there is none, the scalar blends serve.
 bool has_kernel(Blend blend, CurveBasis basis);
 
-/// Frames and places of `count` children from `first` on, as the control points are made
-/// of them: intervals + 1 of each in `states`. False where the blend has no frames of its
-/// own in a kernel (`position`), or no kernel.
-bool synthesize_strands(const KernelInput& in, std::size_t first, std::size_t count,
+/// Frames and places of `count` children from `first` on, as their control points are
+/// made of them: intervals + 1 of each in `states`. For blends that go along curvatures.
+void synthesize_strands(const KernelInput& in, std::size_t first, std::size_t count,
                         std::span<HelixState<float>> states);
 
 /// Control points of children whose blend has a kernel.
