@@ -74,14 +74,14 @@ void expand_scalar(const Binding& binding, const GuideProfiles<float>& profiles,
 Synthesis::Synthesis(const Binding& bound, const GuideProfiles<float>& of_guides,
                      Blend chosen)
     : binding(bound), profiles(of_guides), blend(chosen) {
-    if (is_curl(blend)) guides = kernel_guides(profiles, binding.guide_normals);
+    if (is_curl(blend)) guides = kernel_guides(profiles, binding.guide_normals, blend);
 }
 
 void synthesize(const Synthesis& synthesis, std::size_t first, std::size_t count,
                 std::span<HelixState<float>> states) {
     const auto& [binding, profiles, blend, guides] = synthesis;
     const std::size_t places = std::size_t(profiles.count) + 1;
-    if (guides.size() > 0) {
+    if (guides.size > 0) {
         const KernelInput in{binding, profiles, guides, blend, CurveBasis::bspline, {}};
         synthesize_strands(in, first, count, states);
         return;
@@ -98,7 +98,8 @@ void expand(const Binding& binding, const GuideProfiles<float>& profiles,
     if (out.strands == 0) return;
     const bool fast = settings.kernels && has_kernel(settings.blend, settings.basis);
     const KernelGuides guides =
-        fast ? kernel_guides(profiles, binding.guide_normals) : KernelGuides();
+        fast ? kernel_guides(profiles, binding.guide_normals, settings.blend)
+             : KernelGuides();
     const KernelInput in{binding,        profiles,       guides,
                          settings.blend, settings.basis, settings.taper};
     const bool past_caches = out.bytes() >= kPastCaches;

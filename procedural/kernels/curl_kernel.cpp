@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "procedural/expand.h"
 #include "procedural/kernels/curl_kernel.h"
@@ -21,6 +22,8 @@
 //
 #include "procedural/kernels/transpose_rows.inl"
 //
+#include "procedural/kernels/option1_lanes.inl"
+//
 #include "procedural/kernels/fill_batch.inl"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,9 +32,12 @@ namespace lancret::HWY_NAMESPACE {
 /// Children [first, first + used), in frames and places.
 void synthesize(const KernelInput& in, std::size_t first, std::size_t used,
                 StrandBatch& batch) {
-    const bool with_anchor = in.blend == Blend::detail;
-    fill_batch(in, first, used, with_anchor, batch);
-    store4(lanes_start(batch), batch.frames.get());
+    const bool with_anchor =
+        in.blend == Blend::detail || in.blend == Blend::option1_anchored;
+    const bool own_rates =
+        in.blend == Blend::option1 || in.blend == Blend::option1_anchored;
+    fill_batch(in, first, used, with_anchor, own_rates, batch);
+    store4(lanes_start(batch, own_rates), batch.frames.get());
     LanesSpine own = walk(in, with_anchor, batch);
     if (with_anchor) {
         const LanesGoal goal = lanes_goal(batch);

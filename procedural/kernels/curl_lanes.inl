@@ -89,12 +89,13 @@ HWY_INLINE LanesGoal lanes_goal(const StrandBatch& batch) {
     return out;
 }
 
-/// The heaviest guide's root frame, turned to the child's root.
-HWY_INLINE Lanes4 lanes_start(const StrandBatch& batch) {
-    const Lanes3 from = load3(batch.start_normal), up = load3(batch.normal);
-    const Lanes4 turn{hn::Add(set(1), dot(from, up)), cross(from, up)};
+/// The frame at the root: of the child itself, or the heaviest guide's, turned to it.
+HWY_INLINE Lanes4 lanes_start(const StrandBatch& batch, bool own) {
     const Lanes4 start{hn::Load(D(), batch.start[0]),
                        load3(&batch.start[1][0], kMostLanes)};
+    if (own) return start;
+    const Lanes3 from = load3(batch.start_normal), up = load3(batch.normal);
+    const Lanes4 turn{hn::Add(set(1), dot(from, up)), cross(from, up)};
     return normalized(product(turn, start));
 }
 

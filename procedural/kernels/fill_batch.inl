@@ -41,7 +41,7 @@ HWY_INLINE void fill_guides(const KernelGuides& guides,
 
 /// Children [first, first + used) in the first lanes; the last of them in the others too.
 HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t used,
-                           bool with_anchor, StrandBatch& batch) {
+                           bool with_anchor, bool own_rates, StrandBatch& batch) {
     static_assert(sizeof(GuideRecord) == 16 * sizeof(float));
     const Binding& binding = in.binding;
     const std::size_t lanes = hn::Lanes(D());
@@ -66,19 +66,24 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
         curvatures[lane] = &in.guides.curvatures[heaviest * 3 * batch.stride];
         const float ds = binding.lengths[i] / float(batch.intervals);
         const float most = with_anchor ? kMostTurnAnchored : kMostTurnAlone;
-        bool scalar = !(in.guides.most_curved[heaviest] * ds <= most);
+        bool scalar = !own_rates && !(in.guides.most_curved[heaviest] * ds <= most);
         for (std::size_t k = 0; k < child.count; ++k) {
             const Vec3f& normal = binding.guide_normals[child.guides[k]];
             scalar = scalar || !(normal.dot(up) >= kOpposedCosine);
         }
         batch.scalar[lane] = scalar;
+        if (own_rates) fill_option1(in, i, lane, most, batch);
         if (with_anchor) fill_guides(in.guides, in.profiles, lane, batch);
     }
     const std::size_t n = batch.intervals, stride = batch.stride;
-    for (int axis = 0; axis < 3; ++axis) {
-        transpose_rows(curvatures, lanes, n, &batch.curvatures[axis * stride * lanes],
-                       lanes);
-        for (const float*& row : std::span(curvatures, lanes)) row += stride;
+    if (own_rates) {
+        sum_joints(in, batch);
+    } else {
+        for (int axis = 0; axis < 3; ++axis) {
+            transpose_rows(curvatures, lanes, n, &batch.curvatures[axis * stride * lanes],
+                           lanes);
+            for (const float*& row : std::span(curvatures, lanes)) row += stride;
+        }
     }
     if (!with_anchor) return;
     for (std::size_t k = 0; k < batch.neighbours; ++k) {

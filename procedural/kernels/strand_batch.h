@@ -36,11 +36,15 @@ struct StrandBatch {
     alignas(64) float shares[kMaxNeighbours][kMostLanes];       ///< w L over their sum
     alignas(64) float records[kMaxNeighbours][16][kMostLanes];  ///< GuideRecord
 
-    hwy::AlignedFreeUniquePtr<float[]> rows;  ///< [4][lanes][stride]: rates that blends
-                                              ///< make themselves, then advances
-    hwy::AlignedFreeUniquePtr<float[]> curvatures;  ///< [3][stride][lanes] 1/cm
-    hwy::AlignedFreeUniquePtr<float[]> advances;    ///< [stride][lanes]
-    hwy::AlignedFreeUniquePtr<float[]> frames;      ///< [places][4][lanes] w x y z
+    hwy::AlignedFreeUniquePtr<float[]>
+        rows;  ///< [4][lanes][stride]: kappa and tau of blends that
+               ///< make their own, none, advances
+    hwy::AlignedFreeUniquePtr<float[]> joint_rows;     ///< [2][lanes][joint_stride]:
+                                                       ///< cosines, sines of turns
+    hwy::AlignedFreeUniquePtr<float[]> joint_columns;  ///< [2][joint_stride][lanes]
+    hwy::AlignedFreeUniquePtr<float[]> curvatures;     ///< [3][stride][lanes] 1/cm
+    hwy::AlignedFreeUniquePtr<float[]> advances;       ///< [stride][lanes]
+    hwy::AlignedFreeUniquePtr<float[]> frames;         ///< [places][4][lanes] w x y z
     hwy::AlignedFreeUniquePtr<float[]> places;  ///< [places + 4][3][lanes] from the root
                                                 ///< in cm; two beyond each end
     hwy::AlignedFreeUniquePtr<float[]> points;  ///< [control points][lanes][4]
@@ -50,6 +54,9 @@ struct StrandBatch {
           stride(in.guides.place_stride),
           neighbours(std::size_t(in.binding.neighbours)),
           rows(hwy::AllocateAligned<float>(4 * lanes * stride)),
+          joint_rows(hwy::AllocateAligned<float>(2 * lanes * in.guides.joint_stride + 1)),
+          joint_columns(
+              hwy::AllocateAligned<float>(2 * lanes * in.guides.joint_stride + 1)),
           curvatures(hwy::AllocateAligned<float>(3 * lanes * stride)),
           advances(hwy::AllocateAligned<float>(lanes * stride)),
           frames(hwy::AllocateAligned<float>((intervals + 1) * 4 * lanes)),

@@ -5,7 +5,10 @@
 
 namespace lancret {
 
-bool is_curl(Blend blend) { return blend == Blend::detail || blend == Blend::nearest; }
+bool is_curl(Blend blend) {
+    return blend == Blend::detail || blend == Blend::nearest || blend == Blend::option1 ||
+           blend == Blend::option1_anchored;
+}
 
 bool has_kernel(Blend blend, CurveBasis basis) {
     return is_curl(blend) || (blend == Blend::position && basis == CurveBasis::bspline);

@@ -45,7 +45,8 @@ Sum blended(const MadeHair& hair, const KernelGuides& guides, std::size_t i,
 TEST(PositionKernel, SumsItsGuidesControlPointsOnEveryTarget) {
     for (const int intervals : {1, 2, 7, 13, 14, 29, 45}) {
         const MadeHair hair(100, intervals, 1);
-        const KernelGuides guides = kernel_guides(hair.profiles, hair.standing.normals);
+        const KernelGuides guides =
+            kernel_guides(hair.profiles, hair.standing.normals, Blend::position);
         on_every_target([&] {
             const Curves curves =
                 expand(hair.binding, hair.profiles, {.blend = Blend::position});
@@ -69,10 +70,11 @@ TEST(PositionKernel, SumsItsGuidesControlPointsOnEveryTarget) {
 TEST(PositionKernel, AGuidesRowsAreItsScalarControlPoints) {
     for (const int intervals : {1, 2, 14, 29}) {
         const MadeHair hair(1, intervals, 2);
-        const KernelGuides guides = kernel_guides(hair.profiles, hair.standing.normals);
+        const KernelGuides guides =
+            kernel_guides(hair.profiles, hair.standing.normals, Blend::position);
         std::vector<HelixState<float>> states(intervals + 1);
         std::vector<Point4f> points(intervals + 3);
-        for (std::size_t g = 0; g < guides.size(); ++g) {
+        for (std::size_t g = 0; g < guides.size; ++g) {
             const Mat3f& turn = hair.profiles.root_frames[g];
             for (int i = 0; i <= intervals; ++i) {
                 states[i] = {turn * hair.profiles.frame(g, i),
