@@ -6,8 +6,8 @@
 // writes to the same buffers in each pass, as from frame to frame and as the fill does;
 // `anew_*` allocates them in each pass, so its time has the page faults in it.
 // `scalar_*` are the blends that kernels are compared with. `cpu_share` is the share by
-// the process's CPU time, which other programs on the machine do not take from: it counts
-// all threads as if they had run at once.
+// the CPU time of both, spread evenly over the threads: where other programs have their
+// part of the machine, only it compares.
 
 #include <benchmark/benchmark.h>
 
@@ -59,7 +59,8 @@ void expand_made(benchmark::State& run, Way way) {
         Counter(runs * double(bytes), Counter::kIsRate, Counter::kIs1000);
     run.counters["fill_bytes/s"] = Counter(fill, Counter::kDefaults, Counter::kIs1000);
     run.counters["fill_share"] = runs * double(bytes) / seconds / fill;
-    run.counters["cpu_share"] = runs * double(bytes) / (cpu / threads) / fill;
+    run.counters["cpu_share"] =
+        runs * double(bytes) / (cpu / threads) / bench::fill_bandwidths(threads).by_cpu;
     run.counters["cpu_ns_a_point"] = 1e9 * cpu / (runs * double(points));
 }
 
