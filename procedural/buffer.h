@@ -1,19 +1,29 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <span>
+#include <type_traits>
 
 namespace lancret {
+
+/// Memory that nothing has been written to, aligned to 64 bytes; a large block in huge
+/// pages where the system has them, since a first touch costs a fault a page. Throws
+/// std::bad_alloc. Give it back by std::free.
+void* untouched_memory(std::size_t bytes);
 
 /// An array that is allocated once and written by its maker: unlike std::vector it does
 /// not pass over its memory to zero it first.
 template <class T>
 class Buffer {
+    static_assert(std::is_trivial_v<T> && alignof(T) <= 64);
+
   public:
     Buffer() = default;
     explicit Buffer(std::size_t size)
-        : data_(std::make_unique_for_overwrite<T[]>(size)), size_(size) {}
+        : data_(size > 0 ? static_cast<T*>(untouched_memory(size * sizeof(T))) : nullptr),
+          size_(size) {}
 
     T* data() { return data_.get(); }
     const T* data() const { return data_.get(); }
@@ -25,7 +35,10 @@ class Buffer {
     std::span<const T> span() const { return {data_.get(), size_}; }
 
   private:
-    std::unique_ptr<T[]> data_;
+    struct Free {
+        void operator()(T* data) const { std::free(data); }
+    };
+    std::unique_ptr<T[], Free> data_;
     std::size_t size_ = 0;
 };
 

@@ -94,16 +94,24 @@ CheckReport check(const Binding& binding, const Guides& guides,
     const std::size_t n = profiles.count, k = binding.neighbours;
     const std::vector<GuideValue> values = guide_values(guides, profiles.count);
     const Eigen::AlignedBox3d box = bounds(curves).cast<double>();
+    const KernelGuides kernel =
+        kernel_guides(profiles, binding.guide_normals, blend);
     CheckReport report;
     report.tolerances = tolerances;
     report.hull_is_asked = blend == Blend::option1;
     report.strands.resize(binding.size());
 
     const auto check_range = [&](const tbb::blocked_range<std::size_t>& range) {
-        std::vector<HelixState<float>> states(n + 1);
+        constexpr std::size_t kTogether = 16;
+        std::vector<HelixState<float>> several(kTogether * (n + 1));
         std::vector<MeasuredInterval> measured(n);
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            synthesize_child<float>(binding, profiles, blend, i, states);
+            const std::size_t at = (i - range.begin()) % kTogether;
+            if (at == 0) {
+                synthesize(binding, profiles, kernel, blend, i,
+                           std::min(kTogether, range.end() - i), several);
+            }
+            const auto states = std::span(several).subspan(at * (n + 1), n + 1);
             const EmittedStrand emitted = emitted_strand(curves, i);
             const std::span own_guides(&binding.guides[i * k], k);
             const std::span own_weights(&binding.weights[i * k], k);

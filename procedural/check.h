@@ -48,7 +48,8 @@ struct CheckReport {
     std::vector<StrandCheck> worst(std::size_t n) const;
 };
 
-/// Looks at every child. `curves` is what expand made of `binding`. Arc length is
+/// Looks at every child: at the frames and places of the very kernel that expansion used,
+/// and at `curves`, which is what it made of `binding`. Arc length is
 /// measured from the chords between places and the rotations between frames, by
 /// quadrature for the emitted curve; curvature and torsion are compared with the guides'
 /// own.

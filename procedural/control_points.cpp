@@ -39,8 +39,7 @@ void bspline_points(std::span<const HelixState<float>> states, float ds,
         return states[i].position;
     };
     const auto radius = [&](std::ptrdiff_t i) {
-        return std::max(0.0f,
-                        taper.root + (taper.tip - taper.root) * float(i) / float(n));
+        return radius_of(taper, i, std::size_t(n));
     };
     // Differences, not the taps themselves: a strand of a few centimetres keeps its
     // digits.

@@ -1,6 +1,7 @@
 #pragma once
 // From places on a strand to the control points that Embree draws.
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,12 @@ namespace lancret {
 struct Taper {
     float root = 0.004f, tip = 0.002f;
 };
+
+/// The radius at place i of `intervals`, which may lie beyond either end, cm, >= 0.
+inline float radius_of(const Taper& taper, std::ptrdiff_t i, std::size_t intervals) {
+    return std::max(0.0f,
+                    taper.root + (taper.tip - taper.root) * float(i) / float(intervals));
+}
 
 /// How many control points a strand of n intervals has.
 constexpr std::uint32_t control_points_of(CurveBasis basis, std::uint32_t intervals) {

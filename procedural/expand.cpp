@@ -3,9 +3,12 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "procedural/faces.h"
+#include "procedural/kernels/strand_kernels.h"
 
 namespace lancret {
 
@@ -21,56 +24,117 @@ template void synthesize_child(const Binding&, const GuideProfiles<float>&, Blen
 template void synthesize_child(const Binding&, const GuideProfiles<double>&, Blend,
                                std::size_t, std::span<HelixState<double>>);
 
-Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
-              const ExpandSettings& settings) {
-    const std::size_t strands = binding.size(), n = profiles.count;
-    Curves out;
+namespace {
+
+/// Output of this size does not stay in a cache until somebody reads it: measured.
+constexpr std::size_t kPastCaches = std::size_t(8) << 20;
+
+/// An empty frame for the strands of `binding`, in the buffers of `out` where they fit.
+void make_room(const Binding& binding, std::size_t intervals,
+               const ExpandSettings& settings, Curves& out) {
+    const std::size_t strands = binding.size();
     out.basis = settings.basis;
     out.shape = settings.shape.value_or(CurveShape::flat);
     out.strands = std::uint32_t(strands);
-    out.segments_per_strand = std::uint32_t(n);
+    out.segments_per_strand = std::uint32_t(intervals);
     out.points_per_strand = control_points_of(settings.basis, out.segments_per_strand);
-    if (strands * out.points_per_strand > std::numeric_limits<std::uint32_t>::max()) {
+    const std::size_t points = strands * out.points_per_strand;
+    if (points > std::numeric_limits<std::uint32_t>::max()) {
         throw std::invalid_argument("expand: more control points than 32 bits can count");
     }
-    out.points = Buffer<Point4f>(strands * out.points_per_strand);
-    out.segments = Buffer<std::uint32_t>(strands * n);
     const bool hermite = settings.basis == CurveBasis::hermite;
     const bool faces = settings.has_faces();
     if (hermite && faces)
         throw std::invalid_argument("expand: faces are of B-splines alone");
     if (faces && binding.faces.size() != strands)
         throw std::invalid_argument("expand: faces need those that rest_faces chooses");
-    if (hermite) out.tangents = Buffer<Point4f>(out.points.size());
-    if (faces) out.normals = Buffer<Point4f>(out.points.size());
+    const auto fit = [](auto& buffer, std::size_t size) {
+        if (buffer.size() != size) buffer = std::decay_t<decltype(buffer)>(size);
+    };
+    fit(out.points, points);
+    fit(out.tangents, hermite ? points : 0);
+    fit(out.normals, faces ? points : 0);
+    fit(out.segments, strands * intervals);
+}
+
+/// `count` strands from `first` on, from their synthesised places.
+void expand_states(const Binding& binding, const GuideProfiles<float>& profiles,
+                   const KernelGuides& guides, const ExpandSettings& settings,
+                   std::size_t first, std::size_t count, Curves& out) {
+    const std::size_t places = std::size_t(profiles.count) + 1;
+    std::vector<HelixState<float>> all(count * places);
+    synthesize(binding, profiles, guides, settings.blend, first, count, all);
+    for (std::size_t s = 0; s < count; ++s) {
+        const std::size_t i = first + s, at = i * out.points_per_strand;
+        const auto states = std::span(all).subspan(s * places, places);
+        const auto own = [&](Buffer<Point4f>& buffer) {
+            return buffer.span().subspan(at, out.points_per_strand);
+        };
+        const float ds = binding.lengths[i] / float(profiles.count);
+        const Vec3f& root = binding.roots.positions[i];
+        if (settings.basis == CurveBasis::hermite) {
+            hermite_points(states, ds, root, settings.taper, own(out.points),
+                           own(out.tangents));
+        } else {
+            bspline_points(states, ds, root, settings.taper, own(out.points));
+        }
+        if (settings.has_faces()) {
+            const Vec2f face =
+                face_at(binding, profiles, settings.blend, i, states[0].frame);
+            ribbon_normals(states, face, own(out.normals));
+        }
+    }
+}
+
+}  // namespace
+
+void synthesize(const Binding& binding, const GuideProfiles<float>& profiles,
+                const KernelGuides& guides, Blend blend, std::size_t first,
+                std::size_t count, std::span<HelixState<float>> states) {
+    if (guides.size > 0 && is_curl(blend)) {
+        const KernelInput in{binding, profiles, guides, blend, CurveBasis::bspline, {}};
+        synthesize_strands(in, first, count, states);
+        return;
+    }
+    const std::size_t places = std::size_t(profiles.count) + 1;
+    for (std::size_t s = 0; s < count; ++s) {
+        synthesize_child<float>(binding, profiles, blend, first + s,
+                                states.subspan(s * places, places));
+    }
+}
+
+void expand(const Binding& binding, const GuideProfiles<float>& profiles,
+            const KernelGuides& guides, const ExpandSettings& settings, Curves& out) {
+    make_room(binding, std::size_t(profiles.count), settings, out);
+    if (out.strands == 0) return;
+    const bool whole = guides.size > 0 && has_kernel(settings.blend, settings.basis) &&
+                       !settings.has_faces();
+    const KernelInput in{binding,        profiles,       guides,
+                         settings.blend, settings.basis, settings.taper};
+    const bool past_caches = out.bytes() >= kPastCaches;
 
     const auto expand_chunk = [&](const tbb::blocked_range<std::size_t>& chunk) {
-        std::vector<HelixState<float>> states(n + 1);
-        for (std::size_t i = chunk.begin(); i < chunk.end(); ++i) {
-            synthesize_child<float>(binding, profiles, settings.blend, i, states);
-            const std::size_t first = i * out.points_per_strand;
-            const auto points = out.points.span().subspan(first, out.points_per_strand);
-            const float ds = binding.lengths[i] / float(n);
-            const Vec3f& root = binding.roots.positions[i];
-            if (hermite) {
-                hermite_points(states, ds, root, settings.taper, points,
-                               out.tangents.span().subspan(first, out.points_per_strand));
-            } else {
-                bspline_points(states, ds, root, settings.taper, points);
-            }
-            if (faces) {
-                ribbon_normals(
-                    states,
-                    face_at(binding, profiles, settings.blend, i, states[0].frame),
-                    out.normals.span().subspan(first, out.points_per_strand));
-            }
-            for (std::size_t j = 0; j < n; ++j) {
-                out.segments[i * n + j] = std::uint32_t(first + j);
-            }
+        const std::size_t at = chunk.begin() * out.points_per_strand;
+        if (whole) {
+            expand_strands(in, {chunk.begin(), chunk.size(), out.points.data() + at,
+                                out.tangents.data() + at, past_caches});
+        } else {
+            expand_states(binding, profiles, guides, settings, chunk.begin(),
+                          chunk.size(), out);
         }
+        number_segments(
+            chunk.begin(), chunk.size(), out.points_per_strand, out.segments_per_strand,
+            out.segments.data() + chunk.begin() * out.segments_per_strand, past_caches);
     };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, strands, settings.chunk),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, out.strands, settings.chunk),
                       expand_chunk, tbb::simple_partitioner());
+}
+
+Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
+              const ExpandSettings& settings) {
+    Curves out;
+    expand(binding, profiles,
+           kernel_guides(profiles, binding.guide_normals, settings.blend), settings, out);
     return out;
 }
 

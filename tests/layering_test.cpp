@@ -81,6 +81,7 @@ const ThirdParty kThirdParties[] = {
     {{"hdf5", "H5"}, {"guides/guide_cache", "tests/guides/guide_cache_test."}},
     {{"tiny_obj_loader"}, {"guides/obj_file."}},
     {{"nanoflann"}, {"guides/point_tree.h"}},
+    {{"hwy/"}, {"procedural/kernels/", "tests/procedural/every_target.h"}},
     {{"toml"}, {"procedural/toml_table."}},
     {{"CLI/"}, {"tools/", "bench/render_test/picture_bench."}},
     {{"unsupported/"}, {"tests/"}},
@@ -94,7 +95,7 @@ std::string judge_fault(const Include& include) {
         "procedural/blend",      "procedural/guide_profiles", "procedural/expand",
         "procedural/evaluation", "procedural/binding",        "procedural/leave_out",
         "procedural/spine",      "procedural/anchor",         "procedural/weights",
-        "procedural/candidates", "procedural/temporal"};
+        "procedural/candidates", "procedural/temporal",       "procedural/kernels"};
     const bool judge = begins(include.file, "procedural/strand_figures.");
     return judge && std::ranges::any_of(
                         kJudged,

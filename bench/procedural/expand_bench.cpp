@@ -2,11 +2,16 @@
 //
 // Arguments: children, intervals a strand (0: as many as a groom takes by itself),
 // threads. A strand of 14 intervals has 17 control points. `fill_share` is bytes written
-// over the bandwidth of a memory fill on as many threads in the same run. Each pass
-// allocates its buffers anew, as a renderer's does, so its time has the page faults in
-// it.
+// over the bandwidth of a memory fill on as many threads in the same run. `into_*`
+// writes to the same buffers in each pass, as from frame to frame and as the fill does;
+// `anew_*` allocates them in each pass, so its time has the page faults in it.
+// `scalar_*` are the blends that kernels are compared with. `cpu_share` is the share by
+// the CPU time of both, spread evenly over the threads: where other programs have their
+// part of the machine, only it compares.
 
 #include <benchmark/benchmark.h>
+
+#include <ctime>
 
 #include "bench/made_hair.h"
 #include "bench/memory_fill.h"
@@ -16,25 +21,37 @@
 namespace lancret {
 namespace {
 
-void expand_made(benchmark::State& run, Blend blend) {
+double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+
+struct Way {
+    Blend blend;
+    bool kernels = true, anew = false;
+};
+
+void expand_made(benchmark::State& run, Way way) {
     const std::uint32_t children = std::uint32_t(run.range(0));
     const int threads = int(run.range(2));
     const double fill = bench::fill_bandwidth(threads);
     const int intervals = run.range(1) > 0 ? int(run.range(1)) : bench::made_intervals();
     const auto profiles = guide_profiles<float>(bench::made_guides().guides, intervals);
     const Binding& binding = bench::made_binding(children);
-    ExpandSettings settings;
-    settings.blend = blend;
-    std::size_t points = 0, bytes = 0;
+    const ExpandSettings settings{.blend = way.blend};
+    Curves curves = expand(binding, profiles, settings);
+    const std::size_t points = curves.points.size(), bytes = curves.bytes();
     Stopwatch watch;
+    double cpu = 0;
     bench::on_threads(threads, [&] {
         watch.lap();
+        cpu = cpu_seconds();
         for (auto _ : run) {
-            const Curves curves = expand(binding, profiles, settings);
+            if (way.anew) curves = {};
+            const KernelGuides guides =
+                way.kernels ? kernel_guides(profiles, binding.guide_normals, way.blend)
+                            : KernelGuides();
+            expand(binding, profiles, guides, settings, curves);
             benchmark::DoNotOptimize(curves.points.data());
-            points = curves.points.size();
-            bytes = curves.bytes();
         }
+        cpu = cpu_seconds() - cpu;
     });
     const double seconds = watch.lap();
     const double runs = double(run.iterations());
@@ -45,17 +62,36 @@ void expand_made(benchmark::State& run, Blend blend) {
         Counter(runs * double(bytes), Counter::kIsRate, Counter::kIs1000);
     run.counters["fill_bytes/s"] = Counter(fill, Counter::kDefaults, Counter::kIs1000);
     run.counters["fill_share"] = runs * double(bytes) / seconds / fill;
+    run.counters["cpu_share"] =
+        runs * double(bytes) / (cpu / threads) / bench::fill_bandwidths(threads).by_cpu;
+    run.counters["cpu_ns_a_point"] = 1e9 * cpu / (runs * double(points));
 }
 
 void sizes(benchmark::internal::Benchmark* bench) {
     bench->ArgNames({"children", "intervals", "threads"})
-        ->ArgsProduct({{10'000, 100'000, 1'000'000}, {14, 0}, {1, 2}})
+        ->ArgsProduct({{1'000, 10'000, 100'000, 1'000'000}, {14, 0}, {1, 2}})
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime();
 }
-BENCHMARK_CAPTURE(expand_made, detail, Blend::detail)->Apply(sizes);
-BENCHMARK_CAPTURE(expand_made, option1, Blend::option1)->Apply(sizes);
-BENCHMARK_CAPTURE(expand_made, position, Blend::position)->Apply(sizes);
+#define LANCRET_EXPAND(name, ...) \
+    BENCHMARK_CAPTURE(expand_made, name, Way{__VA_ARGS__})->Apply(sizes)
+LANCRET_EXPAND(into_position, Blend::position);
+LANCRET_EXPAND(into_detail, Blend::detail);
+LANCRET_EXPAND(into_option1, Blend::option1);
+LANCRET_EXPAND(anew_position, Blend::position, true, true);
+LANCRET_EXPAND(anew_detail, Blend::detail, true, true);
+
+void scalar_sizes(benchmark::internal::Benchmark* bench) {
+    bench->ArgNames({"children", "intervals", "threads"})
+        ->ArgsProduct({{100'000}, {14}, {1, 2}})
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+}
+#define LANCRET_EXPAND_SCALAR(name, ...) \
+    BENCHMARK_CAPTURE(expand_made, name, Way{__VA_ARGS__})->Apply(scalar_sizes)
+LANCRET_EXPAND_SCALAR(scalar_position, Blend::position, false);
+LANCRET_EXPAND_SCALAR(scalar_detail, Blend::detail, false);
+LANCRET_EXPAND_SCALAR(scalar_option1, Blend::option1, false);
 
 void memory_fill(benchmark::State& run) {
     const int threads = int(run.range(0));

@@ -8,6 +8,7 @@
 #include "guides/super_helix.h"
 #include "procedural/check_strand.h"
 #include "tests/procedural/cubic_error.h"
+#include "tests/procedural/every_target.h"
 #include "tests/procedural/made_hair.h"
 
 namespace lancret {
@@ -26,21 +27,39 @@ bool same_bytes(const Curves& a, const Curves& b) {
 
 TEST(Expand, SameStrandsForAnyThreadCountAndChunkSize) {
     const MadeHair hair(300, 12, 1);
-    for (const Blend blend : {Blend::option1, Blend::position}) {
-        for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
-            ExpandSettings settings{.blend = blend, .basis = basis};
-            const Curves one = expand(hair.binding, hair.profiles, settings);
-            for (const int threads : {1, 2, 5}) {
-                tbb::global_control control(tbb::global_control::max_allowed_parallelism,
-                                            threads);
-                for (const std::uint32_t chunk : {1u, 7u, 256u, 10000u}) {
-                    settings.chunk = chunk;
-                    EXPECT_TRUE(
-                        same_bytes(one, expand(hair.binding, hair.profiles, settings)))
-                        << threads << " threads, chunks of " << chunk;
+    test::on_every_target([&] {
+        for (const Blend blend : {Blend::detail, Blend::option1, Blend::position}) {
+            for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
+                ExpandSettings settings{.blend = blend, .basis = basis};
+                const Curves one = expand(hair.binding, hair.profiles, settings);
+                for (const int threads : {1, 2, 5}) {
+                    tbb::global_control control(
+                        tbb::global_control::max_allowed_parallelism, threads);
+                    for (const std::uint32_t chunk : {1u, 7u, 256u, 10000u}) {
+                        settings.chunk = chunk;
+                        EXPECT_TRUE(same_bytes(
+                            one, expand(hair.binding, hair.profiles, settings)))
+                            << threads << " threads, chunks of " << chunk;
+                    }
                 }
             }
         }
+    });
+}
+
+TEST(Expand, BuffersAreUsedAgain) {
+    const MadeHair hair(90, 12, 1), other(90, 12, 2), longer(90, 20, 3);
+    Curves curves;
+    for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
+        const ExpandSettings settings{.basis = basis};
+        expand(hair.binding, hair.profiles, settings, curves);
+        const Point4f* const memory = curves.points.data();
+        expand(other.binding, other.profiles, settings, curves);
+        EXPECT_EQ(curves.points.data(), memory);
+        EXPECT_TRUE(same_bytes(curves, expand(other.binding, other.profiles, settings)));
+        expand(longer.binding, longer.profiles, settings, curves);
+        EXPECT_TRUE(
+            same_bytes(curves, expand(longer.binding, longer.profiles, settings)));
     }
 }
 

@@ -76,6 +76,10 @@ struct MadeHair {
           binding(bind(plane_roots(children, seed + 1), standing.guides, standing.normals,
                        {.neighbours = neighbours})),
           profiles(guide_profiles<float>(standing.guides, intervals)) {}
+
+    KernelGuides kernel(Blend blend) const {
+        return kernel_guides(profiles, standing.normals, blend);
+    }
 };
 
 }  // namespace lancret::test

@@ -1,0 +1,58 @@
+#pragma once
+// Expansion by vectors: one set of kernels, compiled for every instruction set that
+// Highway knows and chosen when the program runs.
+//
+// A strand's bits depend on the strand alone and on the instruction set: not on the lane
+// it falls into, its neighbours, nor on how many are expanded at a time. Between sets
+// they differ by round-off: those with a fused multiply-add (AVX2, AVX-512, NEON) round
+// once where SSE and plain code round twice.
+
+#include <span>
+
+#include "procedural/binding.h"
+#include "procedural/control_points.h"
+#include "procedural/curves.h"
+#include "procedural/kernels/kernel_guides.h"
+
+namespace lancret {
+
+/// What the kernels read. `guides` are those of `profiles`.
+struct KernelInput {
+    const Binding& binding;
+    const GuideProfiles<float>& profiles;
+    const KernelGuides& guides;
+    Blend blend;
+    CurveBasis basis;
+    Taper taper;
+};
+
+/// Children from `first` on that are expanded together, and where their control points
+/// go: `points` (and for Hermite `tangents`) hold control_points_of(basis, count) of
+/// each.
+struct KernelOutput {
+    std::size_t first, count;
+    Point4f* points;
+    Point4f* tangents;
+    bool past_caches;  ///< by streaming stores: nobody reads them soon
+};
+
+/// Whether the blend goes along curvatures and has a kernel for them.
+bool is_curl(Blend blend);
+
+/// Whether there is a kernel; where there is none, the scalar blends serve.
+bool has_kernel(Blend blend, CurveBasis basis);
+
+/// Frames and places of `count` children from `first` on, as their control points are
+/// made of them: intervals + 1 of each in `states`. For blends that go along curvatures.
+void synthesize_strands(const KernelInput& in, std::size_t first, std::size_t count,
+                        std::span<HelixState<float>> states);
+
+/// Control points of children whose blend has a kernel.
+void expand_strands(const KernelInput& in, const KernelOutput& out);
+
+/// The control point that each segment of `count` strands from `first` on begins with, to
+/// `segments`.
+void number_segments(std::size_t first, std::size_t count, std::uint32_t points,
+                     std::uint32_t intervals, std::uint32_t* segments, bool past_caches);
+
+}  // namespace lancret

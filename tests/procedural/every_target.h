@@ -1,0 +1,28 @@
+#pragma once
+// Runs a test on every instruction set that was compiled and that this processor has.
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cstdint>
+
+namespace lancret::test {
+
+/// Calls test() once for each, the plain one of a single lane among them.
+template <class Test>
+void on_every_target(Test&& test) {
+    struct Restore {
+        ~Restore() { hwy::SetSupportedTargetsForTest(0); }
+    } restore;
+    int targets = 0;
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        SCOPED_TRACE(hwy::TargetName(target));
+        test();
+        ++targets;
+    }
+    EXPECT_GT(targets, 0);
+}
+
+}  // namespace lancret::test
