@@ -20,12 +20,13 @@ Strands child_strands(const Binding& binding, const GuideProfiles<float>& profil
             std::vector<HelixState<float>> states(places);
             for (std::size_t i = chunk.begin(); i < chunk.end(); ++i) {
                 synthesize_child<float>(binding, profiles, settings.blend, i, states);
+                const float width = binding.roots.width(i);
                 out.first[i + 1] = std::uint32_t((i + 1) * places);
                 for (std::size_t j = 0; j < places; ++j) {
                     const float s = float(j) / float(profiles.count);
                     out.points[i * places + j] =
                         binding.roots.positions[i] + states[j].position;
-                    out.thickness[i * places + j] = 2 * (root + (tip - root) * s);
+                    out.thickness[i * places + j] = 2 * width * (root + (tip - root) * s);
                 }
             }
         });

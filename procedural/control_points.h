@@ -12,6 +12,9 @@ namespace lancret {
 /// Radii along a strand, cm, linear in s / L.
 struct Taper {
     float root = 0.004f, tip = 0.002f;
+
+    Taper times(float width) const { return {root * width, tip * width}; }
+    float largest() const { return root > tip ? root : tip; }
 };
 
 /// How many control points a strand of n intervals has.

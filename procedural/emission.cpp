@@ -15,9 +15,8 @@ namespace lancret {
 
 namespace {
 
-/// The first children are measured, a fair sample since roots are spread evenly, against
-/// a share of the tolerance, since the rest hold a few that are worse.
-constexpr std::size_t kSample = 8192;
+/// They are measured against a share of the tolerance, since the rest hold a few that are
+/// worse.
 constexpr double kSampleShare = 0.6;
 
 /// Radians that an interval may turn: below half a turn, so that a strand can be told
@@ -100,7 +99,7 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
                         turn, kMostTurnOfSegment));
     }
     int n = guides.segments * std::max(1, int(std::ceil(turn / kMostTurn)));
-    const std::size_t sample = std::min(binding.size(), kSample);
+    const std::size_t sample = std::min(binding.size(), kSampledChildren);
     using Range = tbb::blocked_range<std::size_t>;
     for (;; n += guides.segments) {
         const auto profiles = guide_profiles<float>(guides, n);

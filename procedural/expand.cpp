@@ -26,6 +26,7 @@ Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
     out.basis = settings.basis;
     out.shape = settings.shape;
     out.strands = std::uint32_t(strands);
+    out.ids = binding.roots.ids;
     out.segments_per_strand = std::uint32_t(n);
     out.points_per_strand = control_points_of(settings.basis, out.segments_per_strand);
     if (strands * out.points_per_strand > std::numeric_limits<std::uint32_t>::max()) {
@@ -44,11 +45,12 @@ Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
             const auto points = out.points.span().subspan(first, out.points_per_strand);
             const float ds = binding.lengths[i] / float(n);
             const Vec3f& root = binding.roots.positions[i];
+            const Taper taper = settings.taper.times(binding.roots.width(i));
             if (hermite) {
-                hermite_points(states, ds, root, settings.taper, points,
+                hermite_points(states, ds, root, taper, points,
                                out.tangents.span().subspan(first, out.points_per_strand));
             } else {
-                bspline_points(states, ds, root, settings.taper, points);
+                bspline_points(states, ds, root, taper, points);
             }
             for (std::size_t j = 0; j < n; ++j) {
                 out.segments[i * n + j] = std::uint32_t(first + j);

@@ -216,7 +216,7 @@ struct HairScene::Impl {
 
     void complete_strand(const RTCHit& from, const Ray& ray, Hit& hit) const {
         hit.kind = Hit::Kind::strand;
-        hit.strand = curves[0]->strand_of(from.primID);
+        hit.strand = curves[0]->id_of(curves[0]->strand_of(from.primID));
         const AxisPoint axis = axis_of(from.primID, from.u, ray.time);
         hit.radius = axis.value.w();
         hit.along = (float(from.primID % curves[0]->segments_per_strand) + from.u) /

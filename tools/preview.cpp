@@ -11,6 +11,7 @@
 #include "procedural/check_figures.h"
 #include "tools/command.h"
 #include "tools/frames.h"
+#include "tools/lod.h"
 #include "tools/preview_picture.h"
 #include "tools/stats.h"
 
@@ -24,23 +25,9 @@ struct PreviewOptions {
     std::string size, shutter, output, deep;
     std::optional<int> samples, motion_samples, turntable;
     std::optional<float> regularisation, noise;
+    std::optional<double> lod;
     bool progressive = false, denoise = false;
 };
-
-/// The box of the guides: what a groom means to be, whatever a stray child does.
-Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides,
-                           float length_scale) {
-    Eigen::AlignedBox3f box;
-    const std::size_t places = profiles.count + 1;
-    for (std::size_t g = 0; g < profiles.size(); ++g) {
-        const Vec3f root = guides.root_positions[g].cast<float>();
-        for (std::size_t i = 0; i < places; ++i) {
-            const Vec3f local = length_scale * profiles.positions[g * places + i];
-            box.extend(root + profiles.root_frames[g] * local);
-        }
-    }
-    return box;
-}
 
 /// The pictures to write: one a frame, or one a view of a turntable.
 std::vector<PictureFiles> outputs_of(const PreviewOptions& options, const Job& job,
@@ -123,6 +110,7 @@ void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
 }
 
 int preview(const PreviewOptions& options) {
+    const std::size_t before = peak_rss();
     Job job = read_job(options.groom);
     const ChosenFrames chosen = chosen_frames(options.frames, job, false);
     const auto outputs = outputs_of(options, job, chosen);
@@ -130,7 +118,7 @@ int preview(const PreviewOptions& options) {
     const RenderSettings& settings = job.preview.render;
 
     Generator generator = run_generator(job.groom);
-    const RestPlaces rest = prepare_frames(generator, chosen, job);
+    RestPlaces rest = prepare_frames(generator, chosen, job);
     const Vec3f up = job.groom.scene.up.cast<float>();
     // The camera looks at the rest pose and stays there, whatever frame is shown.
     const Eigen::AlignedBox3f box =
@@ -145,6 +133,11 @@ int preview(const PreviewOptions& options) {
     for (std::size_t view = 0; options.turntable && view < outputs.size(); ++view) {
         const float step = 2 * std::numbers::pi_v<float> / float(outputs.size());
         cameras[view] = turned(front, box.center(), up, float(view) * step);
+    }
+
+    if (options.lod) {
+        prune_by_size(generator, cameras, settings.height, *options.lod);
+        rest = rest_places(generator.binding, generator.source);
     }
 
     nlohmann::json stats = generator_stats(generator), frames = nlohmann::json::array();
@@ -174,8 +167,9 @@ int preview(const PreviewOptions& options) {
         // Views of a turntable share all but the camera.
         if (!geometry || !options.turntable) {
             geometry.reset();
-            geometry.emplace(
-                grow(generator, rest, chosen, times.frames, job, cameras, moments, cost));
+            geometry.emplace(grow(generator, rest, chosen, times.frames, job, cameras,
+                                  moments, cost,
+                                  options.turntable || i + 1 == outputs.size()));
             scene.geometry = &*geometry;
             shown = scene_times(moments);
             scene.times = shown;
@@ -213,9 +207,7 @@ int preview(const PreviewOptions& options) {
     stats["seconds"]["first_picture"] = total.first;
     stats["rays"] = total.rays;
     stats["paths"] = total.paths;
-    stats["bytes"]["bvh"] = total.bvh_bytes;
-    stats["bytes"]["per_time"] =
-        moments[0].curves.points.bytes() + moments[0].curves.tangents.bytes();
+    add_memory_stats(stats, moments, total.bvh_bytes, before);
     stats["image"] = {{"width", settings.width},
                       {"height", settings.height},
                       {"samples", settings.samples}};
@@ -240,6 +232,12 @@ void add_preview(CLI::App& app, int& exit_code) {
                      "as many paths as it needs, at most --samples (1024 by default)")
         ->type_name("N")
         ->check(CLI::Range(0.001, 10.0));
+    command
+        ->add_option("--lod", options->lod,
+                     "level of detail: at most this many strands for each pixel that a "
+                     "chunk of hair covers, wider as they are fewer")
+        ->type_name("N")
+        ->check(CLI::Range(1e-6, 1e6));
     command->add_option("--size", options->size, "of the picture, pixels")
         ->type_name("WxH")
         ->check(not_empty());

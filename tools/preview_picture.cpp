@@ -1,5 +1,8 @@
 #include "tools/preview_picture.h"
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "render_test/denoise.h"
 #include "render_test/image_exr.h"
 #include "render_test/thin_strands.h"
@@ -19,6 +22,20 @@ std::optional<TriangleMesh> body_of(const GroomGuides& source, const ScalpPose& 
 
 }  // namespace
 
+Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides,
+                           float length_scale) {
+    Eigen::AlignedBox3f box;
+    const std::size_t places = profiles.count + 1;
+    for (std::size_t g = 0; g < profiles.size(); ++g) {
+        const Vec3f root = guides.root_positions[g].cast<float>();
+        for (std::size_t i = 0; i < places; ++i) {
+            const Vec3f local = length_scale * profiles.positions[g * places + i];
+            box.extend(root + profiles.root_frames[g] * local);
+        }
+    }
+    return box;
+}
+
 std::vector<SceneTime> scene_times(const std::vector<ShownTime>& moments) {
     std::vector<SceneTime> out;
     for (const ShownTime& m : moments) {
@@ -35,10 +52,10 @@ Channels channels_of(const PictureFiles& files, bool denoise) {
             .deep = !files.deep.empty()};
 }
 
-HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
+HairScene grow(Generator& generator, RestPlaces& rest, const ChosenFrames& chosen,
                const std::vector<double>& times, const Job& job,
                std::span<const Camera> cameras, std::vector<ShownTime>& moments,
-               PictureCost& cost) {
+               PictureCost& cost, bool last) {
     moments.clear();
     for (const double frame : times) {
         const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
@@ -52,6 +69,10 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
                 widen_thin_strands(moments.back().curves, cameras,
                                    job.preview.render.height, job.preview.least_width);
         }
+    }
+    if (last) {
+        generator.binding = generator.sample = {};
+        rest = {};
     }
     HairScene geometry(scene_times(moments), {.true_radii = moments.front().true_radii});
     cost.bvh = geometry.build_seconds();
@@ -87,6 +108,20 @@ void shoot(const RenderScene& scene, const Camera& camera,
     } else {
         write(render(scene, camera, render_settings, progress));
     }
+}
+
+void add_memory_stats(nlohmann::json& stats, const std::vector<ShownTime>& moments,
+                      std::size_t bvh, std::size_t process) {
+    const Curves& curves = moments[0].curves;
+    nlohmann::json& bytes = stats["bytes"];
+    bytes["bvh"] = bvh;
+    bytes["per_time"] = curves.points.bytes() + curves.tangents.bytes();
+    bytes["widths"] = moments[0].true_radii.size() * sizeof(float);
+    for (const char* part : {"bvh", "per_time", "widths"}) {
+        bytes[part + std::string("_per_strand")] =
+            bytes[part].get<double>() / double(std::max(1u, curves.strands));
+    }
+    bytes["process"] = process;
 }
 
 Camera turned(const Camera& camera, const Vec3f& centre, const Vec3f& up, float angle) {
