@@ -9,6 +9,7 @@
 #include <random>
 
 #include "procedural/check_chunks.h"
+#include "procedural/check_strand.h"
 #include "procedural/chunked_groom.h"
 #include "procedural/pose.h"
 #include "tests/procedural/made_hair.h"
