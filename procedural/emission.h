@@ -9,6 +9,14 @@ namespace lancret {
 /// The first children are measured, a fair sample since roots are spread evenly.
 inline constexpr std::size_t kSampledChildren = 8192;
 
+/// The emitted curve of one strand at parameter t in [0, 1] of segment j.
+Vec3f emitted_place(CurveBasis basis, std::span<const Point4f> points,
+                    std::span<const Point4f> tangents, std::size_t j, float t);
+
+/// How much longer children are than the weighted length of their guides: the same for
+/// all.
+double length_over_guides(const Binding& binding, const Guides& guides);
+
 /// The farthest that the emitted curve of a strand lies from the strand, cm, as seen in
 /// the middle of each interval, where a helix strays most; infinity where something is
 /// not finite. `states` are places at equal steps `ds` of arc length.

@@ -47,6 +47,30 @@ TEST(Chunks, CheckProvesTheirBoxes) {
     EXPECT_GE(chunks.at("volume_over_true").at("mean"), 1);
 }
 
+TEST(Adapt, WritesStrandsOfTheirOwnNumbersOfPoints) {
+    const SmallGrooms folder;
+    const std::string stats = folder.at("stats.json"), hair = folder.at("a.hair");
+    const CommandRun run = lancret({"expand", folder.made, "--strands", "500", "--adapt",
+                                    "--stats", stats, "-o", hair});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const nlohmann::json json = json_of(stats);
+    std::size_t strands = 0, control_points = 0, places = 0;
+    for (const nlohmann::json& each : json.at("classes")) {
+        const std::size_t n = each.at("strands"), intervals = each.at("intervals");
+        strands += n;
+        control_points += n * (intervals + 3);
+        places += n * (intervals + 1);
+    }
+    EXPECT_EQ(strands, 500);
+    EXPECT_EQ(json.at("points"), control_points);
+    EXPECT_LE(json.at("farthest_cm"), 0.03);  // the groom's tolerance
+    EXPECT_EQ(read_hair(hair).points.size(), places);
+    EXPECT_THAT(lancret({"expand", folder.made, "--adapt", "-o", folder.at("a.txt")}),
+                refuses_with("--adapt"));
+    EXPECT_THAT(lancret({"expand", folder.made, "--adapt", "--chunks"}),
+                refuses_with("--adapt"));
+}
+
 TEST(Density, GrowsAsManyStrandsAsTheirRanksSay) {
     const SmallGrooms folder;
     const std::string stats = folder.at("stats.json");
