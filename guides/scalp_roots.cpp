@@ -103,6 +103,7 @@ class Candidates {
 std::vector<MeshPoint> filtered_roots(const Scalp& scalp, const Candidates& candidates,
                                       std::size_t count, const RootFilter& accept) {
     std::vector<MeshPoint> roots;
+    roots.reserve(count);
     std::vector<std::vector<MeshPoint>> chunks(kChunksAtOnce);
     for (std::uint64_t next = 0; roots.size() < count; next += kChunksAtOnce * kChunk) {
         if (next >= kTrials && next / kMostTriesARoot > roots.size()) {

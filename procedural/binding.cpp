@@ -18,6 +18,16 @@ std::size_t Binding::bytes() const {
            guide_normals.size() * sizeof(Vec3f) + faces.size() * sizeof(Vec2f);
 }
 
+BindReport& BindReport::operator+=(const BindReport& more) {
+    no_facing_guide += more.no_facing_guide;
+    no_guide_in_reach += more.no_guide_in_reach;
+    no_guide_in_sight += more.no_guide_in_sight;
+    no_guide_in_region += more.no_guide_in_region;
+    opposed_root_frames += more.opposed_root_frames;
+    straight_guides += more.straight_guides;
+    return *this;
+}
+
 namespace {
 
 /// Bending below this many radians on every segment, a guide is straight.
@@ -37,18 +47,6 @@ bool is_straight(const Guides& guides, std::size_t g) {
 struct BoundGuide {
     double length;  ///< cm
     bool straight;
-};
-
-struct Reported : BindReport {
-    Reported& operator+=(const BindReport& more) {
-        no_facing_guide += more.no_facing_guide;
-        no_guide_in_reach += more.no_guide_in_reach;
-        no_guide_in_sight += more.no_guide_in_sight;
-        no_guide_in_region += more.no_guide_in_region;
-        opposed_root_frames += more.opposed_root_frames;
-        straight_guides += more.straight_guides;
-        return *this;
-    }
 };
 
 /// Binds the children of a range, one after the other.
@@ -192,15 +190,36 @@ Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals
     }
     const GuideIndex index(guides.root_positions, borders.guide_regions);
     out.report = tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, children, 1024), Reported(),
-        [&](const tbb::blocked_range<std::size_t>& range, Reported report) {
+        tbb::blocked_range<std::size_t>(0, children, 1024), BindReport(),
+        [&](const tbb::blocked_range<std::size_t>& range, BindReport report) {
             Binder binder(out, guides, bound, index, settings, borders);
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 binder.bind_child(i, report);
             }
             return report;
         },
-        [](Reported a, const Reported& b) { return a += b; });
+        [](BindReport a, const BindReport& b) { return a += b; });
+    return out;
+}
+
+Binding picked(const Binding& binding, std::span<const std::uint32_t> which) {
+    Binding out;
+    const std::size_t k = std::size_t(binding.neighbours);
+    out.neighbours = binding.neighbours;
+    out.roots = picked(binding.roots, which);
+    out.guide_normals = binding.guide_normals;
+    out.guides.reserve(which.size() * k);
+    out.weights.reserve(which.size() * k);
+    out.lengths.reserve(which.size());
+    for (const std::size_t i : which) {
+        const auto from = std::ptrdiff_t(i * k), to = std::ptrdiff_t((i + 1) * k);
+        out.guides.insert(out.guides.end(), binding.guides.begin() + from,
+                          binding.guides.begin() + to);
+        out.weights.insert(out.weights.end(), binding.weights.begin() + from,
+                           binding.weights.begin() + to);
+        out.lengths.push_back(binding.lengths[i]);
+        if (!binding.faces.empty()) out.faces.push_back(binding.faces[i]);
+    }
     return out;
 }
 

@@ -3,6 +3,7 @@
 // changed with time, so that nothing pops.
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,8 @@ struct BindReport {
     /// All their guides are straight and have no Frenet normal: the guides' own first
     /// axis serves, and the child is straight.
     std::size_t straight_guides = 0;
+
+    BindReport& operator+=(const BindReport& more);
 };
 inline constexpr double kOpposedTangents = 0.1;
 
@@ -80,6 +83,10 @@ struct Binding {
 /// guides, or settings or borders do not fit.
 Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals,
              const BindSettings& settings, const BindBorders& borders = {});
+
+/// Some of a binding's children, in the order of `which`, with the bits that they have
+/// there and an empty report.
+Binding picked(const Binding& binding, std::span<const std::uint32_t> which);
 
 /// Child i as a blend reads it, with room for what it points to. `profiles` may be of any
 /// time; the turn from guide to child is that between the scalp's normals of the pose

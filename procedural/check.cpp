@@ -94,24 +94,15 @@ CheckReport check(const Binding& binding, const Guides& guides,
     const std::size_t n = profiles.count, k = binding.neighbours;
     const std::vector<GuideValue> values = guide_values(guides, profiles.count);
     const Eigen::AlignedBox3d box = bounds(curves).cast<double>();
-    const KernelGuides kernel =
-        kernel_guides(profiles, binding.guide_normals, blend);
+    const KernelGuides kernel = kernel_guides(profiles, binding.guide_normals, blend);
     CheckReport report;
     report.tolerances = tolerances;
     report.hull_is_asked = blend == Blend::option1;
     report.strands.resize(binding.size());
 
     const auto check_range = [&](const tbb::blocked_range<std::size_t>& range) {
-        constexpr std::size_t kTogether = 16;
-        std::vector<HelixState<float>> several(kTogether * (n + 1));
         std::vector<MeasuredInterval> measured(n);
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            const std::size_t at = (i - range.begin()) % kTogether;
-            if (at == 0) {
-                synthesize(binding, profiles, kernel, blend, i,
-                           std::min(kTogether, range.end() - i), several);
-            }
-            const auto states = std::span(several).subspan(at * (n + 1), n + 1);
+        const auto look = [&](std::size_t i, std::span<const HelixState<float>> states) {
             const EmittedStrand emitted = emitted_strand(curves, i);
             const std::span own_guides(&binding.guides[i * k], k);
             const std::span own_weights(&binding.weights[i * k], k);
@@ -156,7 +147,8 @@ CheckReport check(const Binding& binding, const Guides& guides,
                 box.contains(tip) &&
                 (tip - root).norm() <= intended * (1 + 1e-4) + tolerances.root;
             out.inside_hull = inside_hull(measured, own_guides, own_weights, values);
-        }
+        };
+        each_strand(binding, profiles, kernel, blend, range.begin(), range.end(), look);
     };
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, binding.size(), 256),
                       check_range);

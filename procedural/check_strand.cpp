@@ -108,11 +108,11 @@ double EmittedStrand::length() const {
 
 EmittedStrand emitted_strand(const Curves& curves, std::size_t i) {
     const std::size_t n = curves.points_per_strand;
-    EmittedStrand out{curves.basis, curves.points.span().subspan(i * n, n), {}};
-    if (curves.basis == CurveBasis::hermite) {
-        out.tangents = curves.tangents.span().subspan(i * n, n);
-    }
-    return out;
+    const auto own = [&](const Buffer<Point4f>& of_all) {
+        return of_all.size() > 0 ? of_all.span().subspan(i * n, n)
+                                 : std::span<const Point4f>();
+    };
+    return {curves.basis, own(curves.points), own(curves.tangents), own(curves.normals)};
 }
 
 }  // namespace lancret

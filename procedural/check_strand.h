@@ -32,6 +32,7 @@ double orthogonality_error(std::span<const HelixState<float>> states);
 struct EmittedStrand {
     CurveBasis basis;
     std::span<const Point4f> points, tangents;
+    std::span<const Point4f> normals{};  ///< of faces, if any
 
     std::size_t segments() const;
     Vec3 position(std::size_t segment, double t) const;

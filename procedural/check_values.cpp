@@ -13,6 +13,8 @@ namespace lancret {
 
 namespace {
 
+using States = std::span<const HelixState<float>>;
+
 float finite(double value) {
     constexpr float kMost = std::numeric_limits<float>::max();
     return std::isfinite(value) ? float(std::clamp<double>(value, -kMost, kMost)) : kMost;
@@ -26,21 +28,19 @@ StrandValues values_of(const Binding& binding, const GuideProfiles<float>& profi
     out.at_places = at_places;
     out.per_strand = std::uint32_t(profiles.count + (at_places ? 1 : 0));
     out.values.resize(binding.size() * out.per_strand);
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, binding.size(), 256),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-            std::vector<HelixState<float>> states(std::size_t(profiles.count) + 1);
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                synthesize_child<float>(binding, profiles, blend, i, states);
-                for (std::uint32_t j = 0; j < out.per_strand; ++j) {
-                    out.values[i * out.per_strand + j] = finite(figure(states, j));
-                }
-            }
-        });
+    const KernelGuides guides = kernel_guides(profiles, binding.guide_normals, blend);
+    const auto put = [&](std::size_t i, States states) {
+        for (std::uint32_t j = 0; j < out.per_strand; ++j) {
+            out.values[i * out.per_strand + j] = finite(figure(states, j));
+        }
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, binding.size(), 256),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          each_strand(binding, profiles, guides, blend, range.begin(),
+                                      range.end(), put);
+                      });
     return out;
 }
-
-using States = std::vector<HelixState<float>>;
 
 }  // namespace
 
@@ -66,26 +66,23 @@ StrandValues length_error_values(const CheckReport& report) {
 
 StrandValues orthogonality_values(const Binding& binding,
                                   const GuideProfiles<float>& profiles, Blend blend) {
-    return values_of(binding, profiles, blend, true,
-                     [](const States& states, std::size_t j) {
-                         return orthogonality_error(std::span(&states[j], 1));
-                     });
+    return values_of(binding, profiles, blend, true, [](States states, std::size_t j) {
+        return orthogonality_error(std::span(&states[j], 1));
+    });
 }
 
 StrandValues curvature_values(const Binding& binding,
                               const GuideProfiles<float>& profiles, Blend blend) {
-    return values_of(binding, profiles, blend, false,
-                     [](const States& states, std::size_t j) {
-                         return measured_interval(states[j], states[j + 1]).kappa;
-                     });
+    return values_of(binding, profiles, blend, false, [](States states, std::size_t j) {
+        return measured_interval(states[j], states[j + 1]).kappa;
+    });
 }
 
 StrandValues torsion_values(const Binding& binding, const GuideProfiles<float>& profiles,
                             Blend blend) {
-    return values_of(binding, profiles, blend, false,
-                     [](const States& states, std::size_t j) {
-                         return measured_interval(states[j], states[j + 1]).tau;
-                     });
+    return values_of(binding, profiles, blend, false, [](States states, std::size_t j) {
+        return measured_interval(states[j], states[j + 1]).tau;
+    });
 }
 
 bool has_torsion(Blend blend) {

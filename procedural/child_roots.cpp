@@ -1,6 +1,7 @@
 #include "procedural/child_roots.h"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -28,8 +29,32 @@ double growth_of_spacing(std::span<const Vec3> grown) {
     return 1.5 * spacing[nth];
 }
 
-Roots roots_on_scalp(const Scalp& scalp, std::span<const Vec3> grown, std::uint32_t count,
-                     std::uint64_t seed, double growth) {
+namespace {
+
+/// Roots at places on a scalp.
+Roots stood_on(const Scalp& scalp, std::vector<MeshPoint> places) {
+    Roots out;
+    out.places = std::move(places);
+    const std::size_t count = out.places.size();
+    out.positions.resize(count);
+    out.normals.resize(count);
+    out.uvs.resize(count);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                out.positions[i] = scalp_position(scalp, out.places[i]).cast<float>();
+                out.normals[i] = scalp_normal(scalp, out.places[i]).cast<float>();
+                out.uvs[i] = scalp_uv(scalp, out.places[i]).cast<float>();
+            }
+        });
+    return out;
+}
+
+}  // namespace
+
+std::vector<MeshPoint> places_on_scalp(const Scalp& scalp, std::span<const Vec3> grown,
+                                       std::uint32_t count, std::uint64_t seed,
+                                       double growth) {
     const PointTree tree(grown);
     RootFilter near;
     if (std::isfinite(growth)) {
@@ -37,16 +62,30 @@ Roots roots_on_scalp(const Scalp& scalp, std::span<const Vec3> grown, std::uint3
             return tree.nearest_squared(position) <= growth * growth;
         };
     }
+    return scalp_roots(scalp, count, seed, near);
+}
+
+Roots roots_on_scalp(const Scalp& scalp, std::span<const Vec3> grown, std::uint32_t count,
+                     std::uint64_t seed, double growth) {
+    return stood_on(scalp, places_on_scalp(scalp, grown, count, seed, growth));
+}
+
+Roots roots_at(const Scalp* scalp, RootPlaces places) {
+    return scalp ? stood_on(*scalp, std::move(places.on_scalp)) : std::move(places.own);
+}
+
+Roots roots_at(const Scalp* scalp, const RootPlaces& places,
+               std::span<const std::uint32_t> which) {
     Roots out;
-    out.places = scalp_roots(scalp, count, seed, near);
-    out.positions.resize(count);
-    out.normals.resize(count);
-    out.uvs.resize(count);
-    tbb::parallel_for(std::uint32_t(0), count, [&](std::uint32_t i) {
-        out.positions[i] = scalp_position(scalp, out.places[i]).cast<float>();
-        out.normals[i] = scalp_normal(scalp, out.places[i]).cast<float>();
-        out.uvs[i] = scalp_uv(scalp, out.places[i]).cast<float>();
-    });
+    if (scalp) {
+        std::vector<MeshPoint> chosen;
+        chosen.reserve(which.size());
+        for (const std::uint32_t i : which) chosen.push_back(places.on_scalp[i]);
+        out = stood_on(*scalp, std::move(chosen));
+    } else {
+        out = picked(places.own, which);
+    }
+    out.ids.assign(which.begin(), which.end());
     return out;
 }
 

@@ -17,6 +17,29 @@ namespace lancret {
 Roots roots_on_scalp(const Scalp& scalp, std::span<const Vec3> grown, std::uint32_t count,
                      std::uint64_t seed, double growth);
 
+/// Where children stand, said as shortly as can be: 12 bytes a child on a scalp.
+struct RootPlaces {
+    std::vector<MeshPoint> on_scalp;  ///< [size]
+    Roots own;                        ///< [size] instead, without a scalp
+
+    std::size_t size() const { return on_scalp.empty() ? own.size() : on_scalp.size(); }
+    std::size_t bytes() const {
+        return on_scalp.size() * sizeof(MeshPoint) + own.bytes();
+    }
+};
+
+/// The places of roots_on_scalp.
+std::vector<MeshPoint> places_on_scalp(const Scalp& scalp, std::span<const Vec3> grown,
+                                       std::uint32_t count, std::uint64_t seed,
+                                       double growth);
+
+/// The roots of all places. `scalp` may be null where places are not on one.
+Roots roots_at(const Scalp* scalp, RootPlaces places);
+
+/// Those of the places `which`, which also are their ids.
+Roots roots_at(const Scalp* scalp, const RootPlaces& places,
+               std::span<const std::uint32_t> which);
+
 /// How far from its strands a groom may be taken to grow: one and a half times the
 /// spacing that nine in ten of them keep, cm.
 double growth_of_spacing(std::span<const Vec3> grown);

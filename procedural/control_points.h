@@ -13,6 +13,9 @@ namespace lancret {
 /// Radii along a strand, cm, linear in s / L.
 struct Taper {
     float root = 0.004f, tip = 0.002f;
+
+    Taper times(float width) const { return {root * width, tip * width}; }
+    float largest() const { return root > tip ? root : tip; }
 };
 
 /// The radius at place i of `intervals`, which may lie beyond either end, cm, >= 0.

@@ -2,6 +2,7 @@
 // What expansion makes and Embree reads: the same bytes, shared without a copy.
 
 #include <cstdint>
+#include <vector>
 
 #include "guides/types.h"
 #include "procedural/buffer.h"
@@ -34,11 +35,18 @@ struct Curves {
     Buffer<std::uint32_t>
         segments;  ///< [strands * segments_per_strand], first control point
 
+    std::vector<std::uint32_t> ids;  ///< [strands], of those that are grown of all;
+                                     ///< empty: their numbers
+
     std::uint32_t strand_of(std::uint32_t segment) const {
         return segment / segments_per_strand;
     }
+    std::uint32_t id_of(std::uint32_t strand) const {
+        return ids.empty() ? strand : ids[strand];
+    }
     std::size_t bytes() const {
-        return points.bytes() + tangents.bytes() + normals.bytes() + segments.bytes();
+        return points.bytes() + tangents.bytes() + normals.bytes() + segments.bytes() +
+               ids.size() * sizeof(std::uint32_t);
     }
 };
 

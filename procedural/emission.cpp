@@ -9,15 +9,15 @@
 #include <limits>
 
 #include "guides/errors.h"
-#include "procedural/expand.h"
+#include "procedural/control_points.h"
+#include "procedural/synthesis.h"
 
 namespace lancret {
 
 namespace {
 
-/// The first children are measured, a fair sample since roots are spread evenly, against
-/// a share of the tolerance, since the rest hold a few that are worse.
-constexpr std::size_t kSample = 8192;
+/// They are measured against a share of the tolerance, since the rest hold a few that are
+/// worse.
 constexpr double kSampleShare = 0.6;
 
 /// Radians that an interval may turn: below half a turn, so that a strand can be told
@@ -27,9 +27,10 @@ constexpr double kMostTurn = 2;
 /// Radians that a segment may turn at all.
 constexpr double kMostTurnOfSegment = 1000;
 
-/// The emitted curve at parameter t in [0, 1] of segment j.
-Vec3f emitted(CurveBasis basis, std::span<const Point4f> points,
-              std::span<const Point4f> tangents, std::size_t j, float t) {
+}  // namespace
+
+Vec3f emitted_place(CurveBasis basis, std::span<const Point4f> points,
+                    std::span<const Point4f> tangents, std::size_t j, float t) {
     const float r = 1 - t;
     if (basis == CurveBasis::hermite) {
         return r * r * (1 + 2 * t) * points[j].xyz() +
@@ -43,8 +44,7 @@ Vec3f emitted(CurveBasis basis, std::span<const Point4f> points,
            6;
 }
 
-/// How much longer a child is than the weighted length of its guides: the same for all.
-double longer_than_guides(const Binding& binding, const Guides& guides) {
+double length_over_guides(const Binding& binding, const Guides& guides) {
     if (binding.size() == 0) return 1;
     double length = 0;
     for (int k = 0; k < binding.neighbours; ++k) {
@@ -53,8 +53,6 @@ double longer_than_guides(const Binding& binding, const Guides& guides) {
     }
     return binding.lengths[0] / length;
 }
-
-}  // namespace
 
 double emission_distance(std::span<const HelixState<float>> states, float ds,
                          CurveBasis basis) {
@@ -73,7 +71,8 @@ double emission_distance(std::span<const HelixState<float>> states, float ds,
         advance<float>(middle, turn / ds, ds / 2);
         // The curve's own parameter may run ahead along the strand: only what lies across
         // counts.
-        const Vec3f off = emitted(basis, points, tangents, j, 0.5f) - middle.position;
+        const Vec3f off =
+            emitted_place(basis, points, tangents, j, 0.5f) - middle.position;
         const Vec3f tangent = middle.frame.col(0);
         const float distance = (off - tangent * tangent.dot(off)).norm();
         if (!(distance <= worst)) {
@@ -90,7 +89,7 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
     for (std::size_t i = 0; i < guides.curvatures.size(); ++i) {
         turn = std::max(turn, guides.curvatures[i].norm() * guides.segment_lengths[i]);
     }
-    turn *= std::max(1.0, longer_than_guides(binding, guides));
+    turn *= std::max(1.0, length_over_guides(binding, guides));
     // Also keeps the count of intervals far from what an int can hold.
     if (!(turn <= kMostTurnOfSegment)) {
         throw InputError(
@@ -100,7 +99,7 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
                         turn, kMostTurnOfSegment));
     }
     int n = guides.segments * std::max(1, int(std::ceil(turn / kMostTurn)));
-    const std::size_t sample = std::min(binding.size(), kSample);
+    const std::size_t sample = std::min(binding.size(), kSampledChildren);
     using Range = tbb::blocked_range<std::size_t>;
     for (;; n += guides.segments) {
         const auto profiles = guide_profiles<float>(guides, n);

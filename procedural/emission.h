@@ -6,6 +6,17 @@
 
 namespace lancret {
 
+/// The first children are measured, a fair sample since roots are spread evenly.
+inline constexpr std::size_t kSampledChildren = 8192;
+
+/// The emitted curve of one strand at parameter t in [0, 1] of segment j.
+Vec3f emitted_place(CurveBasis basis, std::span<const Point4f> points,
+                    std::span<const Point4f> tangents, std::size_t j, float t);
+
+/// How much longer children are than the weighted length of their guides: the same for
+/// all.
+double length_over_guides(const Binding& binding, const Guides& guides);
+
 /// The farthest that the emitted curve of a strand lies from the strand, cm, as seen in
 /// the middle of each interval, where a helix strays most; infinity where something is
 /// not finite. `states` are places at equal steps `ds` of arc length.
@@ -14,8 +25,8 @@ double emission_distance(std::span<const HelixState<float>> states, float ds,
 
 /// The number of intervals a strand, a multiple of the guides' segments, at which emitted
 /// curves stay within `tolerance` cm of the strands, and no interval of a guide turns by
-/// more than 2 radians; the first gives way beyond `most`. Measured on the first 8,192
-/// children, which must keep 0.6 of the tolerance; `check` measures all.
+/// more than 2 radians; the first gives way beyond `most`. Measured on the first
+/// kSampledChildren, which must keep 0.6 of the tolerance; `check` measures all.
 int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
                      double tolerance, CurveBasis basis, int most = 128);
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "procedural/check_strand.h"
-#include "procedural/expand.h"
 #include "procedural/stopwatch.h"
+#include "procedural/synthesis.h"
 
 namespace lancret {
 

@@ -12,18 +12,6 @@
 
 namespace lancret {
 
-template <class T>
-void synthesize_child(const Binding& binding, const GuideProfiles<T>& profiles,
-                      Blend blend, std::size_t i, std::span<HelixState<T>> states) {
-    const BoundChild<T> bound = bound_child(binding, profiles, i);
-    blend_function<T>(blend)(bound.child(), profiles, states);
-}
-
-template void synthesize_child(const Binding&, const GuideProfiles<float>&, Blend,
-                               std::size_t, std::span<HelixState<float>>);
-template void synthesize_child(const Binding&, const GuideProfiles<double>&, Blend,
-                               std::size_t, std::span<HelixState<double>>);
-
 namespace {
 
 /// Output of this size does not stay in a cache until somebody reads it: measured.
@@ -36,6 +24,7 @@ void make_room(const Binding& binding, std::size_t intervals,
     out.basis = settings.basis;
     out.shape = settings.shape.value_or(CurveShape::flat);
     out.strands = std::uint32_t(strands);
+    out.ids = binding.roots.ids;
     out.segments_per_strand = std::uint32_t(intervals);
     out.points_per_strand = control_points_of(settings.basis, out.segments_per_strand);
     const std::size_t points = strands * out.points_per_strand;
@@ -57,51 +46,33 @@ void make_room(const Binding& binding, std::size_t intervals,
     fit(out.segments, strands * intervals);
 }
 
-/// `count` strands from `first` on, from their synthesised places.
+/// Strands [first, last), from their synthesised places.
 void expand_states(const Binding& binding, const GuideProfiles<float>& profiles,
                    const KernelGuides& guides, const ExpandSettings& settings,
-                   std::size_t first, std::size_t count, Curves& out) {
-    const std::size_t places = std::size_t(profiles.count) + 1;
-    std::vector<HelixState<float>> all(count * places);
-    synthesize(binding, profiles, guides, settings.blend, first, count, all);
-    for (std::size_t s = 0; s < count; ++s) {
-        const std::size_t i = first + s, at = i * out.points_per_strand;
-        const auto states = std::span(all).subspan(s * places, places);
+                   std::size_t first, std::size_t last, Curves& out) {
+    const auto put = [&](std::size_t i, std::span<const HelixState<float>> states) {
         const auto own = [&](Buffer<Point4f>& buffer) {
-            return buffer.span().subspan(at, out.points_per_strand);
+            return buffer.span().subspan(i * out.points_per_strand,
+                                         out.points_per_strand);
         };
         const float ds = binding.lengths[i] / float(profiles.count);
         const Vec3f& root = binding.roots.positions[i];
+        const Taper taper = settings.taper.times(binding.roots.width(i));
         if (settings.basis == CurveBasis::hermite) {
-            hermite_points(states, ds, root, settings.taper, own(out.points),
-                           own(out.tangents));
+            hermite_points(states, ds, root, taper, own(out.points), own(out.tangents));
         } else {
-            bspline_points(states, ds, root, settings.taper, own(out.points));
+            bspline_points(states, ds, root, taper, own(out.points));
         }
         if (settings.has_faces()) {
             const Vec2f face =
                 face_at(binding, profiles, settings.blend, i, states[0].frame);
             ribbon_normals(states, face, own(out.normals));
         }
-    }
+    };
+    each_strand(binding, profiles, guides, settings.blend, first, last, put);
 }
 
 }  // namespace
-
-void synthesize(const Binding& binding, const GuideProfiles<float>& profiles,
-                const KernelGuides& guides, Blend blend, std::size_t first,
-                std::size_t count, std::span<HelixState<float>> states) {
-    if (guides.size > 0 && is_curl(blend)) {
-        const KernelInput in{binding, profiles, guides, blend, CurveBasis::bspline, {}};
-        synthesize_strands(in, first, count, states);
-        return;
-    }
-    const std::size_t places = std::size_t(profiles.count) + 1;
-    for (std::size_t s = 0; s < count; ++s) {
-        synthesize_child<float>(binding, profiles, blend, first + s,
-                                states.subspan(s * places, places));
-    }
-}
 
 void expand(const Binding& binding, const GuideProfiles<float>& profiles,
             const KernelGuides& guides, const ExpandSettings& settings, Curves& out) {
@@ -119,8 +90,8 @@ void expand(const Binding& binding, const GuideProfiles<float>& profiles,
             expand_strands(in, {chunk.begin(), chunk.size(), out.points.data() + at,
                                 out.tangents.data() + at, past_caches});
         } else {
-            expand_states(binding, profiles, guides, settings, chunk.begin(),
-                          chunk.size(), out);
+            expand_states(binding, profiles, guides, settings, chunk.begin(), chunk.end(),
+                          out);
         }
         number_segments(
             chunk.begin(), chunk.size(), out.points_per_strand, out.segments_per_strand,

@@ -8,7 +8,7 @@
 #include "procedural/binding.h"
 #include "procedural/control_points.h"
 #include "procedural/curves.h"
-#include "procedural/kernels/kernel_guides.h"
+#include "procedural/synthesis.h"
 
 namespace lancret {
 
@@ -33,19 +33,5 @@ Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
 /// pose; without any the scalar blends serve, to compare with.
 void expand(const Binding& binding, const GuideProfiles<float>& profiles,
             const KernelGuides& guides, const ExpandSettings& settings, Curves& out);
-
-/// Child i by the scalar blends, before its control points are made: profiles.count + 1
-/// places at equal steps of arc length, positions from its root in cm. What the kernels
-/// are compared with.
-template <class T>
-void synthesize_child(const Binding& binding, const GuideProfiles<T>& profiles,
-                      Blend blend, std::size_t i, std::span<HelixState<T>> states);
-
-/// Children [first, first + count) as `expand` synthesises them, to look at: by the kernel
-/// where there is one with frames, else by the scalar blends. profiles.count + 1 places of
-/// each in `states`.
-void synthesize(const Binding& binding, const GuideProfiles<float>& profiles,
-                const KernelGuides& guides, Blend blend, std::size_t first,
-                std::size_t count, std::span<HelixState<float>> states);
 
 }  // namespace lancret

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "procedural/control_points.h"
-#include "procedural/expand.h"
+#include "procedural/synthesis.h"
 
 namespace lancret {
 

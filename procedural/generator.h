@@ -12,6 +12,7 @@ struct Generator {
     GroomGuides source;             ///< guides, scalp, and how they came about
     GuideProfiles<float> profiles;  ///< of the guides
     Binding binding;
+    Binding sample;  ///< sample_of_children: says how many intervals strands have
     StageSeconds seconds;
 };
 

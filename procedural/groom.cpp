@@ -7,6 +7,7 @@
 
 #include "guides/coordinates.h"
 #include "guides/errors.h"
+#include "procedural/density.h"
 
 namespace lancret {
 
@@ -76,6 +77,7 @@ void read_guides(const TomlTable& guides, Groom& out) {
 void read_strands(const TomlTable& strands, Groom& out) {
     set(out.strands, strands.integer("count", 1, kMostStrands));
     set(out.seed, strands.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    set(out.density, strands.number("density", kLeastDensity, 1));
     std::vector<std::string_view> blends;
     for (const BlendName& entry : kBlendNames) blends.push_back(entry.name);
     if (const auto blend = strands.choice("blend", blends)) {

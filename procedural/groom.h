@@ -52,6 +52,7 @@ struct Groom {
         growth_distance;  ///< cm from the groom's strands; none: by spacing
     std::optional<std::uint32_t> strands;  ///< children; none: child_count says
     std::uint64_t seed = 0;
+    double density = 1;  ///< of the children that are grown, in (0, 1]; see density.h
     BindSettings bind;
     RegionSettings regions;
     std::vector<Polyline> partings;  ///< cm; of a made groom none: its own

@@ -29,7 +29,8 @@ struct Hit {
     enum class Kind { strand, mesh };
 
     Kind kind = Kind::strand;
-    std::uint32_t strand = 0;     ///< strands alone
+    std::uint32_t strand = 0;     ///< strands alone: its place among the curves
+    std::uint32_t id = 0;         ///< strands alone: Curves::ids, the same in any subset
     std::uint32_t primitive = 0;  ///< segment of all strands, or triangle
     float u = 0;         ///< along the segment, 0..1; first barycentric of a mesh
     float v = 0;         ///< second barycentric of a mesh

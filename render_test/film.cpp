@@ -9,7 +9,7 @@ namespace {
 
 std::uint32_t id_of(const PathResult& path) {
     if (!path.first) return kNothingId;
-    return path.first->kind == Hit::Kind::strand ? path.first->strand : kMeshId;
+    return path.first->kind == Hit::Kind::strand ? path.first->id : kMeshId;
 }
 
 void add_hit(Film& film, std::size_t pixel, const Sighting& sighting) {

@@ -24,13 +24,13 @@ Vec3f groom_radiance(const RenderScene& scene, const Ray& ray, const Hit& hit,
         frame = frame_about(hit.shading_normal);
     std::optional<Blade> blade;
     if (hit.ribbon)
-        blade.emplace(scene.blade, scene.hair.colour(hit.strand, hit.along),
+        blade.emplace(scene.blade, scene.hair.colour(hit.id, hit.along),
                       frame.transpose() * -ray.direction);
     const auto value = [&](const Vec3f& wi) -> Vec3f {
         if (hit.kind == Hit::Kind::mesh)
             return Lambert(scene.mesh, hit).evaluate(wi).value;
         if (blade) return blade->evaluate(wi).value;
-        return groom_value(scene.hair.colour(hit.strand, hit.along), wi);
+        return groom_value(scene.hair.colour(hit.id, hit.along), wi);
     };
     const ChosenLight chosen = choose_light(
         scene.lights, hit.position, picks.x(), light_random, [&](const LightSample& l) {

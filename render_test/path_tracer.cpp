@@ -102,7 +102,7 @@ bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& 
     Mat3f frame;
     if (hit.ribbon) {
         frame = frame_about(hit.shading_normal);
-        const Blade blade(scene.blade, scene.hair.colour(hit.strand, hit.along),
+        const Blade blade(scene.blade, scene.hair.colour(hit.id, hit.along),
                           frame.transpose() * wo);
         return scatter(scene, settings, hit, blade, frame, sampler, path);
     }
@@ -110,12 +110,12 @@ bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& 
         frame << hit.tangent, hit.facing.cross(hit.tangent), hit.facing;
         const HairLook& hair =
             depth > 0 && scene.later_hair ? *scene.later_hair : scene.hair;
-        const HairModel& model = hair.model(hit.strand);
-        const Vec3f sigma_a = hair.sigma_a(hit.strand, hit.along);
+        const HairModel& model = hair.model(hit.id);
+        const Vec3f sigma_a = hair.sigma_a(hit.id, hit.along);
         const Vec3f local = frame.transpose() * wo;
         if (scatters_far(settings, hit, depth, sampler))
             return scatter(scene, settings, hit,
-                           FarHairBsdf(model, hair.far_table(hit.strand), sigma_a, local),
+                           FarHairBsdf(model, hair.far_table(hit.id), sigma_a, local),
                            frame, sampler, path);
         return scatter(
             scene, settings, hit,

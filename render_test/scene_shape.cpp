@@ -86,6 +86,7 @@ Vec3f SceneShape::corner_normal(std::uint32_t triangle, int corner, float time) 
 void SceneShape::complete_strand(const Ray& ray, Hit& hit) const {
     hit.kind = Hit::Kind::strand;
     hit.strand = curves[0]->strand_of(hit.primitive);
+    hit.id = curves[0]->id_of(hit.strand);
     const AxisPoint here = axis(hit.primitive, hit.u, ray.time);
     hit.radius = here.value.w();
     hit.along = (float(hit.primitive % curves[0]->segments_per_strand) + hit.u) /

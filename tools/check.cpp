@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "procedural/bind_report.h"
+#include "procedural/check_chunks.h"
 #include "procedural/check_figures.h"
 #include "procedural/check_frames.h"
 #include "procedural/check_report.h"
@@ -38,6 +39,7 @@ std::string not_negative(const std::string& text) {
 struct FramesCost {
     double expand = 0, check = 0;
     Curves curves;
+    ChunkCheck chunks;  ///< the worst over the frames
 };
 
 /// The children of a frame, kept for the step to the next.
@@ -64,6 +66,9 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
     CheckTolerances tolerances = options.tolerances;
     tolerances.distance = options.distance.value_or(job.groom.tolerance);
     const RestPlaces rest = prepare_frames(generator, chosen, job);
+    const std::vector<Vec3f>& roots = generator.binding.roots.positions;
+    const Chunks chunks =
+        make_chunks(roots.size(), [&](std::uint32_t i) { return roots[i]; });
     FramesReport out;
     ProgressBar bar("check");
     std::optional<KeptFrame> before;
@@ -75,6 +80,9 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
         CheckReport children =
             check(generator.binding, state.guides, state.profiles, cost.curves,
                   job.groom.expand.blend, job.groom.bind.length_scale, tolerances);
+        cost.chunks =
+            worst_of(cost.chunks, check_chunks(generator.binding, state.profiles,
+                                               cost.curves, job.groom.expand, chunks));
         GuideCheck guides =
             check_guides(state.guides, generator.source.guides, state.scalp_roots);
         // Without a rest pose the guides may be anybody's, and are put on the scalp when
@@ -105,17 +113,20 @@ int check_groom(const CheckOptions& options) {
     FramesCost cost;
     const FramesReport report = check_frames(options, job, chosen, generator, cost);
     const bool cached = !chosen.cache.empty();
-    const bool pass = cached ? report.pass() : report.worst.pass();
+    const bool pass =
+        (cached ? report.pass() : report.worst.pass()) && cost.chunks.pass();
     fmt::print("{}, blend {}{}\n{}", job.groom.name, blend_name(job.groom.expand.blend),
                cached ? fmt::format(", frame {}, the worst", report.worst_frame) : "",
                check_table(report.worst));
     fmt::print("bind: {}\n", bind_line(generator.binding.report));
+    fmt::print("{}{}\n", chunks_line(cost.chunks), cost.chunks.pass() ? "" : "\nFAIL");
     if (cached) fmt::print("\n{}", frames_table(report));
     if (!options.json.empty()) {
         nlohmann::json json = check_json(report.worst);
         if (cached) json.update(frames_json(report));
         json["groom"] = job.groom.name;
         json["blend"] = blend_name(job.groom.expand.blend);
+        json["chunks"] = chunks_json(cost.chunks);
         json["bind"] = bind_json(generator.binding.report);
         write_json(options.json, json);
     }

@@ -15,6 +15,7 @@
 #include "guides/guide_cache.h"
 #include "guides/obj_file.h"
 #include "procedural/bind_report.h"
+#include "procedural/density.h"
 #include "tools/progress.h"
 #include "tools/quiet_stderr.h"
 
@@ -77,6 +78,7 @@ void lay_over(const GroomOptions& options, Groom& groom) {
     if (options.strands) groom.strands = *options.strands;
     if (options.segments) groom.fit.segments = *options.segments;
     if (options.intervals) groom.intervals = *options.intervals;
+    if (options.density) groom.density = *options.density;
     if (options.seed) groom.seed = *options.seed;
 }
 
@@ -100,6 +102,12 @@ void add_groom_options(CLI::App& command, GroomOptions& options) {
     command.add_option("--strands", options.strands, "children to grow")
         ->type_name("N")
         ->check(CLI::Range(1u, 100'000'000u));
+    command
+        .add_option(
+            "--density", options.density,
+            "share of the children that are grown, 0 to 1, wider as they are fewer")
+        ->type_name("D")
+        ->check(CLI::Range(kLeastDensity, 1.0));
     command.add_option("--blend", options.blend, "how children are made of guides")
         ->type_name("NAME")
         ->check(CLI::IsMember(blend_names()));
@@ -205,6 +213,20 @@ CLI::Validator not_empty() {
             ""};
 }
 
+void tell_warnings(const Generator& generator) {
+    for (const std::string& warning : generator.source.warnings) {
+        fmt::print(stderr, "lancret: warning: {}\n", warning);
+    }
+    if (generator.source.snapped_roots > 0) {
+        fmt::print(
+            stderr,
+            "lancret: {} of {} guide roots were off the scalp and were put on it; the "
+            "farthest moved {:.3f} cm\n",
+            generator.source.snapped_roots, generator.source.guides.size(),
+            generator.source.largest_snap);
+    }
+}
+
 Generator run_generator(const Groom& groom) {
     const auto check_points = [&](std::uint64_t strands, int intervals) {
         const std::uint64_t points =
@@ -221,16 +243,7 @@ Generator run_generator(const Groom& groom) {
     Generator out = make_generator(groom, [&](const char* stage) { line.show(stage); });
     line.clear();
     check_points(out.binding.size(), out.profiles.count);
-    for (const std::string& warning : out.source.warnings) {
-        fmt::print(stderr, "lancret: warning: {}\n", warning);
-    }
-    if (out.source.snapped_roots > 0) {
-        fmt::print(
-            stderr,
-            "lancret: {} of {} guide roots were off the scalp and were put on it; the "
-            "farthest moved {:.3f} cm\n",
-            out.source.snapped_roots, out.source.guides.size(), out.source.largest_snap);
-    }
+    tell_warnings(out);
     fmt::print(stderr, "{}",
                bind_table(out.binding.report, out.binding.size(), "lancret: "));
     return out;

@@ -26,6 +26,7 @@ struct GroomOptions {
     std::optional<std::uint32_t> strands;
     std::optional<int> segments, intervals;
     std::optional<std::uint64_t> seed;
+    std::optional<double> density;
     std::string stats;  ///< JSON file; empty: none
 };
 
@@ -63,6 +64,9 @@ std::string is_seed(const std::string& text);
 /// make_generator with its stages on a terminal and its warnings on stderr. Throws
 /// InputError.
 Generator run_generator(const Groom& groom);
+
+/// What is worth telling of a groom's guides, on stderr.
+void tell_warnings(const Generator& generator);
 
 /// "1280x720"; throws InputError.
 std::pair<int, int> parse_size(const std::string& text);

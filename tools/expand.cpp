@@ -6,10 +6,14 @@
 
 #include <memory>
 
+#include "guides/errors.h"
 #include "guides/hair_file.h"
 #include "guides/mitsuba_file.h"
 #include "procedural/child_strands.h"
+#include "procedural/chunks.h"
 #include "tools/command.h"
+#include "tools/expand_adapted.h"
+#include "tools/expand_chunks.h"
 #include "tools/frames.h"
 #include "tools/stats.h"
 
@@ -21,6 +25,8 @@ struct ExpandOptions {
     GroomOptions groom;
     FrameOptions frame;
     std::string output;
+    bool chunks = false, adapt = false;
+    std::optional<std::uint32_t> chunk_strands;
 };
 
 int expand_groom(const ExpandOptions& options) {
@@ -29,9 +35,26 @@ int expand_groom(const ExpandOptions& options) {
     Job job = read_job(options.groom);
     check_output(output, {".hair", ".txt"}, options.groom, job.groom);
     check_output(options.groom.stats, {}, options.groom, job.groom, output);
+    if (options.chunks || options.chunk_strands) {
+        if (!output.empty()) {
+            throw InputError("--chunks: keeps no strands to write; leave out -o");
+        }
+        if (options.adapt) throw InputError("--adapt: is not for --chunks");
+        expand_by_chunks(job, options.frame,
+                         options.chunk_strands.value_or(kStrandsAChunk),
+                         options.groom.stats);
+        return kFine;
+    }
     if (extension == ".txt") job.groom.expand.basis = CurveBasis::bspline;
     const ChosenFrames chosen = chosen_frames(options.frame, job, false);
+    if (options.adapt && (!chosen.cache.empty() || extension == ".txt")) {
+        throw InputError("--adapt: is for a groom at rest, without -o or with -o *.hair");
+    }
     Generator generator = run_generator(job.groom);
+    if (options.adapt) {
+        expand_adapted(job, generator, output, options.groom.stats);
+        return kFine;
+    }
     const RestPlaces rest = prepare_frames(generator, chosen, job);
     generator.profiles =
         go_to_frame(generator, rest, chosen, job, chosen.frames[0]).profiles;
@@ -73,11 +96,23 @@ void add_expand(CLI::App& app, int& exit_code) {
             "(.txt); without it the strands are only grown")
         ->type_name("FILE")
         ->check(not_empty());
+    command->add_flag("--adapt", options->adapt,
+                      "give each strand only the points that it needs to keep the "
+                      "tolerance, and say what that saves");
+    command->add_flag("--chunks", options->chunks,
+                      "grow chunk by chunk and keep none: as many strands as you like");
+    command
+        ->add_option("--chunk-strands", options->chunk_strands,
+                     "strands of a chunk at most; 4096 by default")
+        ->type_name("N")
+        ->check(CLI::Range(1u, 1'000'000u));
     command->footer(
         "Examples:\n"
         "  lancret expand groom.hair --scalp head.obj --strands 1000000 --stats "
         "time.json\n"
         "  lancret expand groom.toml -o children.hair\n"
+        "  lancret expand groom.toml --strands 10000000 --chunks\n"
+        "  lancret expand groom.toml --adapt -o children.hair\n"
         "  lancret expand cache.h5 --frame 12 -o children.hair");
     command->callback([options, &exit_code] { exit_code = expand_groom(*options); });
 }

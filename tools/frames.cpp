@@ -87,13 +87,16 @@ RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
     if (chosen.cache.empty() || chosen.info.frames < 2 || job.groom.intervals) {
         return rest;
     }
+    // Measured on the children that stand for all of them, at any density.
+    std::swap(generator.binding, generator.sample);
+    const RestPlaces sample_rest = rest_places(generator.binding, generator.source);
     constexpr int kMeasured = 13;
     const int n = std::min(kMeasured, chosen.info.frames);
     int intervals = generator.profiles.count;
     for (int i = 0; i < n; ++i) {
         const int frame =
             chosen.info.first_frame + (chosen.info.frames - 1) * i / std::max(n - 1, 1);
-        const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
+        const FrameState state = go_to_frame(generator, sample_rest, chosen, job, frame);
         try {
             intervals = std::max(
                 intervals,
@@ -104,7 +107,8 @@ RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
                                          error.what()));
         }
     }
-    pose_binding(generator.binding, rest, RigidPose{});
+    pose_binding(generator.binding, sample_rest, RigidPose{});
+    std::swap(generator.binding, generator.sample);
     if (intervals != generator.profiles.count) {
         generator.profiles = guide_profiles<float>(generator.source.guides, intervals);
     }

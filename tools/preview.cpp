@@ -10,27 +10,13 @@
 #include "guides/errors.h"
 #include "procedural/check_figures.h"
 #include "render_test/contact_sheet.h"
+#include "tools/lod.h"
 #include "tools/preview_options.h"
 #include "tools/stats.h"
 
 namespace lancret {
 
 namespace {
-
-/// The box of the guides: what a groom means to be, whatever a stray child does.
-Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides,
-                           float length_scale) {
-    Eigen::AlignedBox3f box;
-    const std::size_t places = profiles.count + 1;
-    for (std::size_t g = 0; g < profiles.size(); ++g) {
-        const Vec3f root = guides.root_positions[g].cast<float>();
-        for (std::size_t i = 0; i < places; ++i) {
-            const Vec3f local = length_scale * profiles.positions[g * places + i];
-            box.extend(root + profiles.root_frames[g] * local);
-        }
-    }
-    return box;
-}
 
 /// One camera for all pictures, or one a view of a turntable. It looks at the rest pose
 /// and stays there, whatever frame is shown.
@@ -85,6 +71,7 @@ void ask_for_faces(Job& job) {
 }
 
 int preview(const PreviewOptions& options) {
+    const std::size_t before = peak_rss();
     Job job = read_job(options.groom);
     const ChosenFrames chosen = chosen_frames(options.frames, job, false);
     const auto outputs = outputs_of(options, job, chosen);
@@ -94,7 +81,7 @@ int preview(const PreviewOptions& options) {
     if (job.preview.hair.aspect < 1) ask_for_faces(job);
 
     Generator generator = run_generator(job.groom);
-    const RestPlaces rest = prepare_frames(generator, chosen, job);
+    RestPlaces rest = prepare_frames(generator, chosen, job);
     const std::size_t views = options.turntable ? outputs.size() : 0;
     const std::vector<Camera> cameras = cameras_of(job, generator, views);
     RenderScene scene;
@@ -106,6 +93,11 @@ int preview(const PreviewOptions& options) {
     if (!options.contact_sheet.empty()) {
         sheet = make_contact_sheet(outputs.size(), settings.width, settings.height,
                                    job.preview.background);
+    }
+
+    if (options.lod) {
+        prune_by_size(generator, cameras, settings.height, *options.lod);
+        rest = rest_places(generator.binding, generator.source);
     }
 
     nlohmann::json stats = generator_stats(generator), frames = nlohmann::json::array();
@@ -139,8 +131,9 @@ int preview(const PreviewOptions& options) {
             geometry && (views || as_before(moments, rest, chosen, times.frames, job));
         if (!still) {
             geometry.reset();
-            geometry.emplace(
-                grow(generator, rest, chosen, times.frames, job, cameras, moments, cost));
+            geometry.emplace(grow(generator, rest, chosen, times.frames, job, cameras,
+                                  moments, cost,
+                                  !request && (views || i + 1 == outputs.size())));
             scene.geometry = &*geometry;
             // Strands keep the shape that the first picture gave them: nothing pops.
             job.groom.expand.shape = moments.front().curves.shape;
@@ -188,9 +181,7 @@ int preview(const PreviewOptions& options) {
     stats["seconds"]["first_picture"] = total.first;
     stats["rays"] = total.rays;
     stats["paths"] = total.paths;
-    stats["bytes"]["bvh"] = total.bvh_bytes;
-    stats["bytes"]["per_time"] =
-        moments[0].curves.bytes() - moments[0].curves.segments.bytes();
+    add_memory_stats(stats, moments, total.bvh_bytes, before);
     stats["image"] = {{"width", settings.width},
                       {"height", settings.height},
                       {"samples", settings.samples}};

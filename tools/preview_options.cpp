@@ -169,6 +169,12 @@ void add_preview_options(CLI::App& command, PreviewOptions& options) {
                     "as many paths as it needs, at most --samples (1024 by default)")
         ->type_name("N")
         ->check(CLI::Range(0.001, 10.0));
+    command
+        .add_option("--lod", options.lod,
+                    "level of detail: at most this many strands for each pixel that a "
+                    "chunk of hair covers, wider as they are fewer")
+        ->type_name("N")
+        ->check(CLI::Range(1e-6, 1e6));
     command.add_option("--size", options.size, "of the picture, pixels")
         ->type_name("WxH")
         ->check(not_empty());

@@ -17,6 +17,7 @@ struct PreviewOptions {
     std::string size, shutter, lobes, output, deep, contact_sheet, view, view_range;
     std::optional<int> samples, motion_samples, turntable;
     std::optional<float> regularisation, noise;
+    std::optional<double> lod;
     bool progressive = false, denoise = false, draft = false;
 };
 

@@ -1,5 +1,8 @@
 #include "tools/preview_picture.h"
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "render_test/denoise.h"
 #include "render_test/image_exr.h"
 #include "render_test/legend.h"
@@ -47,6 +50,20 @@ void choose_shape(std::span<const Camera> cameras, int height,
 
 }  // namespace
 
+Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides,
+                           float length_scale) {
+    Eigen::AlignedBox3f box;
+    const std::size_t places = profiles.count + 1;
+    for (std::size_t g = 0; g < profiles.size(); ++g) {
+        const Vec3f root = guides.root_positions[g].cast<float>();
+        for (std::size_t i = 0; i < places; ++i) {
+            const Vec3f local = length_scale * profiles.positions[g * places + i];
+            box.extend(root + profiles.root_frames[g] * local);
+        }
+    }
+    return box;
+}
+
 std::vector<SceneTime> scene_times(const std::vector<ShownTime>& moments) {
     std::vector<SceneTime> out;
     for (const ShownTime& m : moments) {
@@ -77,10 +94,10 @@ bool as_before(const std::vector<ShownTime>& moments, const RestPlaces& rest,
     return true;
 }
 
-HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
+HairScene grow(Generator& generator, RestPlaces& rest, const ChosenFrames& chosen,
                const std::vector<double>& times, const Job& job,
                std::span<const Camera> cameras, std::vector<ShownTime>& moments,
-               PictureCost& cost) {
+               PictureCost& cost, bool last) {
     moments.clear();
     for (const double frame : times) {
         FrameState state = go_to_frame(generator, rest, chosen, job, frame);
@@ -96,6 +113,10 @@ HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames&
         if (!(job.preview.least_width > 0)) break;
         m.true_radii = widen_thin_strands(m.curves, cameras, job.preview.render.height,
                                           job.preview.least_width);
+    }
+    if (last) {
+        generator.binding = generator.sample = {};
+        rest = {};
     }
     HairScene geometry(scene_times(moments), {.true_radii = moments.front().true_radii,
                                               .crease = job.preview.crease,
@@ -143,6 +164,20 @@ Image shoot(const RenderScene& scene, const Camera& camera,
         write(render(scene, camera, render_settings, progress));
     }
     return out;
+}
+
+void add_memory_stats(nlohmann::json& stats, const std::vector<ShownTime>& moments,
+                      std::size_t bvh, std::size_t process) {
+    const Curves& curves = moments[0].curves;
+    nlohmann::json& bytes = stats["bytes"];
+    bytes["bvh"] = bvh;
+    bytes["per_time"] = curves.bytes() - curves.segments.bytes();
+    bytes["widths"] = moments[0].true_radii.size() * sizeof(float);
+    for (const char* part : {"bvh", "per_time", "widths"}) {
+        bytes[part + std::string("_per_strand")] =
+            bytes[part].get<double>() / double(std::max(1u, curves.strands));
+    }
+    bytes["process"] = process;
 }
 
 Camera turned(const Camera& camera, const Vec3f& centre, const Vec3f& up, float angle) {

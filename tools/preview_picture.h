@@ -3,6 +3,7 @@
 // a camera.
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,6 +36,10 @@ struct ShownTime {
     std::vector<float> true_radii;  ///< of thin strands drawn wider, else empty
 };
 
+/// The box of the guides: what a groom means to be, whatever a stray child does.
+Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides,
+                           float length_scale);
+
 /// The times of a scene of these moments, which must outlive them.
 std::vector<SceneTime> scene_times(const std::vector<ShownTime>& moments);
 
@@ -43,11 +48,12 @@ Channels channels_of(const PictureFiles& files, bool denoise);
 
 /// Grows the children at the moments of a picture, one without motion blur, and makes
 /// them ready for any number of views; `cameras` are those that a thin strand is drawn
-/// wide enough for. `moments` must outlive what it gives. Throws InputError.
-HairScene grow(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
+/// wide enough for. `moments` must outlive what it gives. Where this is the `last` time,
+/// what only growing needs is let go before the BVH is built. Throws InputError.
+HairScene grow(Generator& generator, RestPlaces& rest, const ChosenFrames& chosen,
                const std::vector<double>& times, const Job& job,
                std::span<const Camera> cameras, std::vector<ShownTime>& moments,
-               PictureCost& cost);
+               PictureCost& cost, bool last);
 
 /// Whether guides and head are at `times` just where they were when `moments` were grown,
 /// so that what grow gave can be shown again. Throws InputError.
@@ -65,6 +71,12 @@ void write_picture(const PictureFiles& files, const Image& image,
 Image shoot(const RenderScene& scene, const Camera& camera,
             const PreviewSettings& settings, bool progressive, const std::string& title,
             const PictureFiles& files, PictureCost& cost);
+
+/// Adds to stats["bytes"] what a picture's memory is made of: bvh, per_time (control
+/// points of one time), widths (of thin strands), each also by the strand, and process,
+/// what was there before the groom was read.
+void add_memory_stats(nlohmann::json& stats, const std::vector<ShownTime>& moments,
+                      std::size_t bvh, std::size_t process);
 
 /// The camera gone round the axis through `centre` by `angle`, radian.
 Camera turned(const Camera& camera, const Vec3f& centre, const Vec3f& up, float angle);

@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "procedural/expand.h"
 #include "procedural/kernels/curl_kernel.h"
 #include "procedural/kernels/strand_batch.h"
+#include "procedural/synthesis.h"
 // after what they use, each after the other
 #include "procedural/kernels/copy_points.inl"
 //
@@ -54,6 +54,7 @@ void spline_points(const KernelInput& in, StrandBatch& batch) {
     const D d;
     const std::size_t n = batch.intervals, row = 3 * hn::Lanes(d);
     const Lanes3 root = load3(batch.root);
+    const V width = hn::Load(d, batch.width);
     const auto place = [&](std::size_t i) {
         return load3(&batch.places[(i + 2) * row], hn::Lanes(d));
     };
@@ -65,8 +66,9 @@ void spline_points(const KernelInput& in, StrandBatch& batch) {
     };
     const auto put = [&](std::size_t j, const Lanes3& p) {
         const Lanes3 at = root + p;
-        hn::StoreInterleaved4(at.x, at.y, at.z,
-                              set(radius_of(in.taper, std::ptrdiff_t(j) - 1, n)), d,
+        const V radius =
+            hn::Mul(width, set(radius_of(in.taper, std::ptrdiff_t(j) - 1, n)));
+        hn::StoreInterleaved4(at.x, at.y, at.z, radius, d,
                               &batch.points[j * 4 * hn::Lanes(d)]);
     };
     // The curve is at (c[-1] + 4 c[0] + c[1]) / 6 where it begins, and so where it ends.
@@ -93,12 +95,14 @@ void hermite_row(const KernelInput& in, bool tangents, StrandBatch& batch) {
     const std::size_t n = batch.intervals, lanes = hn::Lanes(d);
     const Lanes3 root = load3(batch.root);
     const V ds = hn::Mul(hn::Load(d, batch.length), set(1 / float(n)));
+    const V width = hn::Load(d, batch.width);
     const float slope = (in.taper.tip - in.taper.root) / float(n);
     for (std::size_t i = 0; i <= n; ++i) {
         const Lanes3 p = tangents
                              ? times(ds, first_axis(load4(&batch.frames[i * 4 * lanes])))
                              : root + load3(&batch.places[(i + 2) * 3 * lanes], lanes);
-        const V w = set(tangents ? slope : in.taper.root + slope * float(i));
+        const V w =
+            hn::Mul(width, set(tangents ? slope : in.taper.root + slope * float(i)));
         hn::StoreInterleaved4(p.x, p.y, p.z, w, d, &batch.points[i * 4 * lanes]);
     }
 }
@@ -119,10 +123,11 @@ void expand_alone(const KernelInput& in, std::size_t i, Point4f* points,
     synthesize_child<float>(in.binding, in.profiles, in.blend, i, states);
     const float ds = in.binding.lengths[i] / float(n);
     const Vec3f& root = in.binding.roots.positions[i];
+    const Taper taper = in.taper.times(in.binding.roots.width(i));
     if (in.basis == CurveBasis::hermite) {
-        hermite_points(states, ds, root, in.taper, {points, n + 1}, {tangents, n + 1});
+        hermite_points(states, ds, root, taper, {points, n + 1}, {tangents, n + 1});
     } else {
-        bspline_points(states, ds, root, in.taper, {points, n + 3});
+        bspline_points(states, ds, root, taper, {points, n + 3});
     }
 }
 

@@ -53,6 +53,7 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
         const Vec3f &root = binding.roots.positions[i], &up = binding.roots.normals[i];
         const Vec3f& start_normal = binding.guide_normals[heaviest];
         batch.length[lane] = binding.lengths[i];
+        batch.width[lane] = binding.roots.width(i);
         for (int axis = 0; axis < 3; ++axis) {
             batch.root[axis][lane] = root[axis];
             batch.normal[axis][lane] = up[axis];

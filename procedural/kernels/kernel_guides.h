@@ -49,8 +49,9 @@ struct KernelGuides {
     std::size_t bytes() const;
 };
 
-/// What the kernel of `blend` reads; nothing where it has none. `normals` are the scalp's at the guides' roots, in
-/// the pose of `profiles`. Throws std::invalid_argument where their number is another.
+/// What the kernel of `blend` reads; nothing where it has none. `normals` are the scalp's
+/// at the guides' roots, in the pose of `profiles`. Throws std::invalid_argument where
+/// their number is another.
 KernelGuides kernel_guides(const GuideProfiles<float>& profiles,
                            std::span<const Vec3f> normals, Blend blend);
 

@@ -56,13 +56,15 @@ void Positions(const KernelInput& in, const KernelOutput& out) {
         const float scale = in.binding.lengths[i] / length;
         for (std::size_t k = 0; k < child.count; ++k) child.weights[k] *= scale;
         const Vec3f& root = in.binding.roots.positions[i];
+        const auto width = hn::Set(d, in.binding.roots.width(i));
         for (std::size_t j = 0; j < points; j += lanes) {
             const auto along = [&](int axis) {
                 return hn::Add(hn::Set(d, root[axis]),
                                weighted_sum(d, rows, child.weights, child.count,
                                             std::size_t(axis) * stride + j));
             };
-            hn::StoreInterleaved4(along(0), along(1), along(2), hn::Load(d, &radii[j]), d,
+            hn::StoreInterleaved4(along(0), along(1), along(2),
+                                  hn::Mul(width, hn::Load(d, &radii[j])), d,
                                   &strand[4 * j]);
         }
         copy_points(strand.get(), 4, points, out.points + s * points, out.past_caches);

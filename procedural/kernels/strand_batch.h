@@ -29,6 +29,7 @@ struct StrandBatch {
     bool scalar[kMostLanes];  ///< left to the scalar blends: turns or normals too far
 
     alignas(64) float length[kMostLanes];           ///< cm
+    alignas(64) float width[kMostLanes];            ///< over the strand's own
     alignas(64) float root[3][kMostLanes];          ///< cm
     alignas(64) float normal[3][kMostLanes];        ///< of the scalp at the root
     alignas(64) float start_normal[3][kMostLanes];  ///< at the heaviest guide's root

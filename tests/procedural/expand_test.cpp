@@ -52,12 +52,16 @@ TEST(Expand, BuffersAreUsedAgain) {
     Curves curves;
     for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
         const ExpandSettings settings{.basis = basis};
-        expand(hair.binding, hair.profiles, settings, curves);
+        const auto grow = [&](const MadeHair& made) {
+            expand(made.binding, made.profiles, made.kernel(settings.blend), settings,
+                   curves);
+        };
+        grow(hair);
         const Point4f* const memory = curves.points.data();
-        expand(other.binding, other.profiles, settings, curves);
+        grow(other);
         EXPECT_EQ(curves.points.data(), memory);
         EXPECT_TRUE(same_bytes(curves, expand(other.binding, other.profiles, settings)));
-        expand(longer.binding, longer.profiles, settings, curves);
+        grow(longer);
         EXPECT_TRUE(
             same_bytes(curves, expand(longer.binding, longer.profiles, settings)));
     }

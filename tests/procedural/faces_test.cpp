@@ -35,7 +35,10 @@ Binding with_faces(const StandingGuides& standing, int neighbours, Blend blend) 
 
 Curves ribbons(const Binding& binding, const GuideProfiles<float>& profiles,
                Blend blend) {
-    return expand(binding, profiles, {.blend = blend, .shape = CurveShape::ribbon});
+    // By the scalar blends, which choose the faces.
+    Curves out;
+    expand(binding, profiles, {}, {.blend = blend, .shape = CurveShape::ribbon}, out);
+    return out;
 }
 
 std::vector<HelixState<float>> states_of(const Binding& binding,
@@ -150,6 +153,24 @@ TEST(RibbonFaces, AtRestAreThoseThatEachStrandBendsOver) {
             // outermost control point is 2 of one normal less the next.
             for (std::size_t j = 0; j < normals.size(); ++j)
                 EXPECT_LT((out[j].xyz() - normals[j].xyz()).norm(), 3e-6f) << i;
+        }
+    }
+}
+
+TEST(RibbonFaces, OfTheKernelsAreThoseOfTheScalarBlends) {
+    const StandingGuides standing = standing_guides(30, 4, 9);
+    const auto rest = swung(standing.guides, 1);
+    for (const BlendName& entry : kBlendNames) {
+        SCOPED_TRACE(entry.name);
+        const Binding binding = with_faces(standing, 4, entry.blend);
+        const Curves scalar = ribbons(binding, rest, entry.blend);
+        const Curves fast =
+            expand(binding, rest, {.blend = entry.blend, .shape = CurveShape::ribbon});
+        ASSERT_EQ(fast.normals.size(), scalar.normals.size());
+        // As near as their frames are (kernel_curl_test.cpp), option 1's at 1e-4.
+        for (std::size_t j = 0; j < fast.normals.size(); ++j) {
+            EXPECT_LT((fast.normals[j].xyz() - scalar.normals[j].xyz()).norm(), 1e-3f);
+            EXPECT_LT((fast.points[j].xyz() - scalar.points[j].xyz()).norm(), 1e-2f);
         }
     }
 }

@@ -65,8 +65,8 @@ TEST_P(CurlKernel, IsTheScalarStrandOnEveryTarget) {
         std::vector<HelixState<double>> exact(n + 1);
         std::vector<HelixState<float>> fast(203 * (n + 1));
         on_every_target([&] {
-            synthesize(hair.binding, hair.profiles, hair.kernel(GetParam()), GetParam(), 0,
-                       203, fast);
+            synthesize(hair.binding, hair.profiles, hair.kernel(GetParam()), GetParam(),
+                       0, 203, fast);
             for (std::size_t i = 0; i < 203; ++i) {
                 synthesize_child<double>(hair.binding, fine, GetParam(), i, exact);
                 const double bound = strand_bound(GetParam(), hair.binding, fine, i);
@@ -90,8 +90,8 @@ TEST_P(CurlKernel, LengthsAreExactAndFramesOrthonormal) {
         const MadeHair hair(500, 12, 5, 4, 4, curvature);
         std::vector<HelixState<float>> states(500 * 13);
         on_every_target([&] {
-            synthesize(hair.binding, hair.profiles, hair.kernel(GetParam()), GetParam(), 0,
-                       500, states);
+            synthesize(hair.binding, hair.profiles, hair.kernel(GetParam()), GetParam(),
+                       0, 500, states);
             for (std::size_t i = 0; i < 500; ++i) {
                 const auto own = std::span(states).subspan(i * 13, 13);
                 double length = 0;
@@ -113,8 +113,8 @@ TEST_P(CurlKernel, ControlPointsAreThoseOfItsPlaces) {
         const std::size_t count = std::size_t(n) + 1;
         std::vector<HelixState<float>> states(50 * count);
         on_every_target([&] {
-            synthesize(hair.binding, hair.profiles, hair.kernel(GetParam()), GetParam(), 0,
-                       50, states);
+            synthesize(hair.binding, hair.profiles, hair.kernel(GetParam()), GetParam(),
+                       0, 50, states);
             for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
                 const Curves curves = expand(hair.binding, hair.profiles,
                                              {.blend = GetParam(), .basis = basis});

@@ -1,0 +1,118 @@
+// Chunks and level of detail, as a user asks for them.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "procedural/density.h"
+#include "tests/tools/small_grooms.h"
+
+namespace lancret {
+namespace {
+
+nlohmann::json json_of(const std::string& file) {
+    return nlohmann::json::parse(read_bytes(file));
+}
+
+TEST(Chunks, ExpandGrowsAllOfThemAndKeepsNone) {
+    const SmallGrooms folder;
+    const std::string stats = folder.at("stats.json");
+    const CommandRun run =
+        lancret({"expand", folder.made, "--strands", "1000", "--chunks",
+                 "--chunk-strands", "64", "--stats", stats});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const nlohmann::json json = json_of(stats);
+    EXPECT_EQ(json.at("strands"), 1000);
+    EXPECT_EQ(json.at("chunks"), 16);  // 1000 / 64, rounded up
+    EXPECT_EQ(json.at("points"), 1000 * (json.at("intervals").get<int>() + 3));
+    // 12 bytes of a place, 4 of an id, and where each chunk begins.
+    EXPECT_EQ(json.at("bytes").at("places"), 12000);
+    EXPECT_EQ(json.at("bytes").at("chunks"), 4000 + 17 * 4);
+    EXPECT_THAT(lancret({"expand", folder.made, "--chunks", "-o", folder.at("a.hair")}),
+                refuses_with("--chunks", "-o"));
+}
+
+TEST(Chunks, CheckProvesTheirBoxes) {
+    const SmallGrooms folder;
+    const std::string report = folder.at("check.json");
+    const CommandRun run =
+        lancret({"check", folder.made, "--strands", "5000", "--json", report});
+    ASSERT_EQ(run.exit_code, 0) << run.out << run.err;
+    const nlohmann::json chunks = json_of(report).at("chunks");
+    EXPECT_EQ(chunks.at("count"), 2);
+    EXPECT_EQ(chunks.at("outside"), 0);
+    EXPECT_EQ(chunks.at("unlike"), 0);
+    EXPECT_LT(chunks.at("volume_over_true").at("max"), 1.1);
+    EXPECT_GE(chunks.at("volume_over_true").at("mean"), 1);
+}
+
+TEST(Adapt, WritesStrandsOfTheirOwnNumbersOfPoints) {
+    const SmallGrooms folder;
+    const std::string stats = folder.at("stats.json"), hair = folder.at("a.hair");
+    const CommandRun run = lancret({"expand", folder.made, "--strands", "500", "--adapt",
+                                    "--stats", stats, "-o", hair});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const nlohmann::json json = json_of(stats);
+    std::size_t strands = 0, control_points = 0, places = 0;
+    for (const nlohmann::json& each : json.at("classes")) {
+        const std::size_t n = each.at("strands"), intervals = each.at("intervals");
+        strands += n;
+        control_points += n * (intervals + 3);
+        places += n * (intervals + 1);
+    }
+    EXPECT_EQ(strands, 500);
+    EXPECT_EQ(json.at("points"), control_points);
+    EXPECT_LE(json.at("farthest_cm"), 0.03);  // the groom's tolerance
+    EXPECT_EQ(read_hair(hair).points.size(), places);
+    EXPECT_THAT(lancret({"expand", folder.made, "--adapt", "-o", folder.at("a.txt")}),
+                refuses_with("--adapt"));
+    EXPECT_THAT(lancret({"expand", folder.made, "--adapt", "--chunks"}),
+                refuses_with("--adapt"));
+}
+
+TEST(Density, GrowsAsManyStrandsAsTheirRanksSay) {
+    const SmallGrooms folder;
+    const std::string stats = folder.at("stats.json");
+    std::size_t expected = 0;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        expected += width_at(strand_rank(0, i), 0.25) > 0;
+    }
+    ASSERT_EQ(lancret({"expand", folder.made, "--strands", "2000", "--density", "0.25",
+                       "--stats", stats})
+                  .exit_code,
+              0);
+    EXPECT_EQ(json_of(stats).at("strands"), expected);
+    const std::string toml =
+        folder.file("thin.toml",
+                    "[guides]\nsegments = 6\n[guides.made]\nstrands = 40\n"
+                    "[strands]\ncount = 2000\ndensity = 0.25\n");
+    ASSERT_EQ(lancret({"expand", toml, "--stats", stats}).exit_code, 0);
+    EXPECT_EQ(json_of(stats).at("strands"), expected);
+    EXPECT_THAT(lancret({"expand", folder.made, "--density", "1e-6"}),
+                refuses_with("made.toml", "density"));
+}
+
+TEST(Density, PreviewTakesItAndALevelOfDetail) {
+    const SmallGrooms folder;
+    const std::string stats = folder.at("stats.json"), png = folder.at("a.png");
+    ASSERT_EQ(lancret({"preview", folder.made, "--strands", "2000", "--density", "0.1",
+                       "--stats", stats, "-o", png})
+                  .exit_code,
+              0);
+    const int strands = json_of(stats).at("strands");
+    EXPECT_GT(strands, 100);
+    EXPECT_LT(strands, 400);
+    // The whole picture has 32 x 32 pixels, so that one chunk's box has fewer.
+    const CommandRun lod = lancret({"preview", folder.made, "--strands", "4000", "--lod",
+                                    "0.5", "--stats", stats, "-o", png});
+    ASSERT_EQ(lod.exit_code, 0) << lod.err;
+    const int left = json_of(stats).at("strands");
+    EXPECT_LT(left, 512 * 1.1 + 5 * 23);  // five deviations of a count of 512
+    EXPECT_GT(left, 20);
+    EXPECT_THAT(lancret({"preview", folder.made, "--lod", "1e-6", "-o", png}),
+                refuses_with("--lod"));
+}
+
+}  // namespace
+}  // namespace lancret

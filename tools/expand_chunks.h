@@ -1,0 +1,13 @@
+#pragma once
+
+#include "tools/command.h"
+#include "tools/frames.h"
+
+namespace lancret {
+
+/// lancret expand --chunks: grows the children of a job chunk by chunk, keeps none, and
+/// says what it took. Throws InputError.
+void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t most,
+                      const std::string& stats_file);
+
+}  // namespace lancret
