@@ -46,11 +46,11 @@ void add_cost(const PictureCost& cost, bool first, PictureCost& total) {
 }
 
 void print_picture(const std::filesystem::path& output, const Generator& generator,
-                   const PictureCost& cost) {
+                   std::size_t strands, const PictureCost& cost) {
     fmt::print(
         "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
         "expand {:.3f}, BVH {:.2f}, render {:.1f} ({:.2f} million rays/s); {:.0f} MB\n",
-        output.string(), generator.binding.size(), generator.source.guides.size(),
+        output.string(), strands, generator.source.guides.size(),
         generator.seconds.load, generator.seconds.fit, generator.seconds.bind,
         cost.expand, cost.bvh, cost.render,
         cost.render > 0 ? 1e-6 * double(cost.rays) / cost.render : 0.0,
