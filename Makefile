@@ -65,7 +65,8 @@ test-slow: deps
 
 bench: deps
 	cmake --preset $(PRESET) -DLANCRET_BENCH=ON
-	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret_bench
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret_bench lancret_pipeline_bench
+	$(BUILD)/bench/lancret_pipeline_bench $(BUILD)/tools/lancret examples/made_groom.toml
 	$(BUILD)/bench/lancret_bench --benchmark_counters_tabular=true
 
 format:

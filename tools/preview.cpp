@@ -50,9 +50,8 @@ void print_picture(const std::filesystem::path& output, const Generator& generat
     fmt::print(
         "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
         "expand {:.3f}, BVH {:.2f}, render {:.1f} ({:.2f} million rays/s); {:.0f} MB\n",
-        output.string(), strands, generator.source.guides.size(),
-        generator.seconds.load, generator.seconds.fit, generator.seconds.bind,
-        cost.expand, cost.bvh, cost.render,
+        output.string(), strands, generator.source.guides.size(), generator.seconds.load,
+        generator.seconds.fit, generator.seconds.bind, cost.expand, cost.bvh, cost.render,
         cost.render > 0 ? 1e-6 * double(cost.rays) / cost.render : 0.0,
         double(peak_rss()) / 1e6);
 }
@@ -171,7 +170,8 @@ int preview(const PreviewOptions& options) {
              {"still", still},
              {"seconds",
               {{"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
-        print_picture(outputs[i].picture, generator, cost);
+        print_picture(outputs[i].picture, generator, moments.front().curves.strands,
+                      cost);
         std::fflush(stdout);
     }
     if (sheet) write_image(options.contact_sheet, sheet->image);
