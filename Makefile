@@ -40,13 +40,16 @@ evaluate: deps
 	done
 
 # What hair can look like: straight, wavy and tightly curled; brown, blond and black; fur, grass, a
-# lens, a turn of the head; in out/gallery/.
+# lens, fewer and wider strands, a turn of the head; in out/gallery/.
 gallery: deps
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret
 	@mkdir -p out/gallery
 	@set -e; for groom in examples/gallery/*.toml examples/grass.toml; do name=$$(basename $${groom%.*}); \
 	  $(LANCRET) preview $$groom -o out/gallery/$$name.png; \
+	done
+	@set -e; for density in 1 0.1 0.01; do \
+	  $(LANCRET) preview examples/made_groom.toml --strands 100000 --density $$density --size 320x320 --samples 64 -o out/gallery/density_$$density.png; \
 	done
 	$(LANCRET) simulate examples/made_groom.toml --frames 1-12 -o out/gallery/turn.h5 --restart
 	$(LANCRET) preview out/gallery/turn.h5 --frame 11 --shutter 0,0.8 --motion-samples 5 --size 480x480 -o out/gallery/turn.png
