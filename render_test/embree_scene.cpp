@@ -222,6 +222,8 @@ HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& o
         },
         &impl_->bytes);
     impl_->scene = rtcNewScene(impl_->device);
+    if (times.size() * times[0].curves->segments.size() >= options.compact_from)
+        rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_COMPACT);
     if (times[0].curves->segments.size() > 0) impl_->add_strands(options.tessellation);
     if (times[0].mesh && !times[0].mesh->triangles.empty()) {
         impl_->shape.mesh = *times[0].mesh;

@@ -136,6 +136,35 @@ TEST(HairScene, MeshHitsCarryTriangleNormalAndUv) {
     EXPECT_GT(scene.bvh_bytes(), 0u);
 }
 
+TEST(HairScene, ACompactTreeIsMuchSmallerAndRaysMeetTheSame) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(-5, 5);
+    std::vector<std::vector<Vec3f>> rows;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3f root(place(random), place(random), place(random));
+        const Vec3f way = 0.1f * Vec3f(place(random), place(random), place(random));
+        rows.push_back({root, root + way, root + 2 * way + 0.1f * Vec3f::UnitX(),
+                        root + 3 * way, root + 4 * way});
+    }
+    const Curves curves = curves_through(rows, 0.02f);
+    const HairScene fast(curves), small(curves, nullptr, {.compact_from = 16'000});
+    const HairScene as_fast(curves, nullptr, {.compact_from = 16'001});
+    EXPECT_LT(small.bvh_bytes(), 0.65 * double(fast.bvh_bytes()));
+    EXPECT_EQ(as_fast.bvh_bytes(), fast.bvh_bytes());
+    int met = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Ray ray =
+            ray_to(Vec3f(place(random), place(random), 20), Vec3f(place(random), 0, 0));
+        const auto a = fast.intersect(ray), b = small.intersect(ray);
+        ASSERT_EQ(a.has_value(), b.has_value());
+        if (!a) continue;
+        EXPECT_EQ(a->primitive, b->primitive);
+        EXPECT_EQ(a->distance, b->distance);
+        ++met;
+    }
+    EXPECT_GT(met, 200);
+}
+
 TEST(HairScene, AnEmptySceneHasNothingToHit) {
     const Curves none = curves_through({}, 0.1f);
     const HairScene scene(none);
