@@ -1,5 +1,7 @@
 #include "guides/helix_box.h"
 
+#include <cmath>
+
 #include <algorithm>
 #include <numbers>
 

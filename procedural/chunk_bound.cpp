@@ -119,8 +119,12 @@ ChunkBound reach_bound(const Eigen::AlignedBox3f& roots, float longest, int n,
                        const ExpandSettings& settings, double density) {
     ChunkBound out;
     if (roots.isEmpty()) return out;
-    // A thousandth more, for round-off.
-    const float reach = longest * (1.001f + 13.0f / (3 * float(n)));
+    // A thousandth more, for round-off, and what a float cannot tell of places this far
+    // from the origin.
+    const float far =
+        std::max(roots.min().cwiseAbs().maxCoeff(), roots.max().cwiseAbs().maxCoeff());
+    const float reach = longest * (1.001f + 13.0f / (3 * float(n))) +
+                        8 * far * std::numeric_limits<float>::epsilon();
     out.places = {roots.min().array() - reach, roots.max().array() + reach};
     out.radius = settings.taper.times(float(1 / density)).largest();
     return out;

@@ -87,7 +87,8 @@ void hermite_points(std::span<const HelixState<float>> states, float ds,
     assert(points.size() == n + 1 && tangents.size() == n + 1);
     const float slope = (taper.tip - taper.root) / float(n);
     for (std::size_t i = 0; i <= n; ++i) {
-        points[i] = point(root + states[i].position, taper.root + slope * float(i));
+        points[i] =
+            point(root + states[i].position, radius_of(taper, std::ptrdiff_t(i), n));
         tangents[i] = point(states[i].frame.col(0) * ds, slope);
     }
 }

@@ -95,7 +95,8 @@ std::string judge_fault(const Include& include) {
         "procedural/blend",      "procedural/guide_profiles", "procedural/expand",
         "procedural/evaluation", "procedural/binding",        "procedural/leave_out",
         "procedural/spine",      "procedural/anchor",         "procedural/weights",
-        "procedural/candidates", "procedural/temporal",       "procedural/kernels"};
+        "procedural/candidates", "procedural/temporal",       "procedural/kernels",
+        "procedural/synthesis"};
     const bool judge = begins(include.file, "procedural/strand_figures.");
     return judge && std::ranges::any_of(
                         kJudged,

@@ -107,7 +107,7 @@ void add_groom_options(CLI::App& command, GroomOptions& options) {
             "--density", options.density,
             "share of the children that are grown, 0 to 1, wider as they are fewer")
         ->type_name("D")
-        ->check(CLI::Range(kLeastDensity, 1.0));
+        ->check(between(kLeastDensity, 1.0));
     command.add_option("--blend", options.blend, "how children are made of guides")
         ->type_name("NAME")
         ->check(CLI::IsMember(blend_names()));
@@ -211,6 +211,18 @@ CLI::Validator not_empty() {
                 return std::string(text.empty() ? "must not be empty" : "");
             },
             ""};
+}
+
+CLI::Validator between(double low, double high) {
+    return {[low, high](const std::string& text) -> std::string {
+                double value = 0;
+                // Written so that a NaN is outside.
+                const bool good = CLI::detail::lexical_cast(text, value) &&
+                                  value >= low && value <= high;
+                return good ? std::string()
+                            : fmt::format("'{}' is not from {} to {}", text, low, high);
+            },
+            fmt::format("{} to {}", low, high)};
 }
 
 void tell_warnings(const Generator& generator) {

@@ -57,6 +57,9 @@ void check_output(const std::filesystem::path& output,
 /// For an option whose value must not be empty, as that of an unset shell variable is.
 CLI::Validator not_empty();
 
+/// For an option whose value is a number from `low` to `high`; NaN is none.
+CLI::Validator between(double low, double high);
+
 /// For an option whose value is a seed: what is wrong with `text`, empty where nothing
 /// is.
 std::string is_seed(const std::string& text);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "guides/errors.h"
 #include "procedural/bind_report.h"
 #include "procedural/chunked_groom.h"
 #include "tools/progress.h"
@@ -58,6 +59,11 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
         out.points += curves.points.size();
         out.largest = std::max(out.largest, binding.bytes() + curves.bytes());
         bar.show(double(c + 1) / double(groom.chunks.size()));
+    }
+    if (out.strands == 0) {
+        throw InputError(fmt::format("{}: of {} strands a density of {} leaves none",
+                                     job.groom.name, groom.chunks.children.size(),
+                                     job.groom.density));
     }
     fmt::print(stderr, "{}", bind_table(out.report, out.strands, "lancret: "));
 

@@ -168,13 +168,13 @@ void add_preview_options(CLI::App& command, PreviewOptions& options) {
                     "render until the picture has this relative noise, each pixel with "
                     "as many paths as it needs, at most --samples (1024 by default)")
         ->type_name("N")
-        ->check(CLI::Range(0.001, 10.0));
+        ->check(between(0.001, 10.0));
     command
         .add_option("--lod", options.lod,
                     "level of detail: at most this many strands for each pixel that a "
                     "chunk of hair covers, wider as they are fewer")
         ->type_name("N")
-        ->check(CLI::Range(1e-6, 1e6));
+        ->check(between(1e-6, 1e6));
     command.add_option("--size", options.size, "of the picture, pixels")
         ->type_name("WxH")
         ->check(not_empty());
@@ -193,7 +193,7 @@ void add_preview_options(CLI::App& command, PreviewOptions& options) {
                     "least roughness of hair after a path's first scattering: less "
                     "noise, a little brighter; 0.5 by default, 0 for a reference")
         ->type_name("R")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(between(0, 1));
     command
         .add_option("--lobes", options.lobes,
                     "light across a strand: 'near' by where it is met, 'far' its mean, "

@@ -208,7 +208,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
     command->add_option("--fps", options->fps, "frames a second")
         ->type_name("N")
         ->capture_default_str()
-        ->check(CLI::Range(1., 10000.));
+        ->check(between(1, 10000));
     command->add_option("--substeps", options->substeps, "of a frame")
         ->type_name("N")
         ->check(CLI::Range(1, 1000));

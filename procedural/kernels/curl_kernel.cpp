@@ -101,8 +101,8 @@ void hermite_row(const KernelInput& in, bool tangents, StrandBatch& batch) {
         const Lanes3 p = tangents
                              ? times(ds, first_axis(load4(&batch.frames[i * 4 * lanes])))
                              : root + load3(&batch.places[(i + 2) * 3 * lanes], lanes);
-        const V w =
-            hn::Mul(width, set(tangents ? slope : in.taper.root + slope * float(i)));
+        const V w = hn::Mul(
+            width, set(tangents ? slope : radius_of(in.taper, std::ptrdiff_t(i), n)));
         hn::StoreInterleaved4(p.x, p.y, p.z, w, d, &batch.points[i * 4 * lanes]);
     }
 }

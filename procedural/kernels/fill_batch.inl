@@ -35,7 +35,7 @@ HWY_INLINE void fill_guides(const KernelGuides& guides,
         for (std::size_t k = 1; k < child.count; ++k) {
             advance = hn::MulAdd(set(shares[k]), hn::Load(d, rows[k] + i), advance);
         }
-        hn::Store(advance, d, &batch.rows[(3 * hn::Lanes(d) + lane) * batch.stride + i]);
+        hn::Store(advance, d, &batch.rows[(2 * hn::Lanes(d) + lane) * batch.stride + i]);
     }
 }
 
@@ -93,7 +93,7 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
     }
     const float* advances[kMostLanes];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-        advances[lane] = &batch.rows[(3 * lanes + lane) * stride];
+        advances[lane] = &batch.rows[(2 * lanes + lane) * stride];
     }
     transpose_rows(advances, lanes, n + 1, batch.advances.get(), lanes);
 }

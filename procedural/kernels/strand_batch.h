@@ -37,9 +37,8 @@ struct StrandBatch {
     alignas(64) float shares[kMaxNeighbours][kMostLanes];       ///< w L over their sum
     alignas(64) float records[kMaxNeighbours][16][kMostLanes];  ///< GuideRecord
 
-    hwy::AlignedFreeUniquePtr<float[]>
-        rows;  ///< [4][lanes][stride]: kappa and tau of blends that
-               ///< make their own, none, advances
+    hwy::AlignedFreeUniquePtr<float[]> rows;  ///< [3][lanes][stride]: kappa and tau of
+                                              ///< blends that make their own, advances
     hwy::AlignedFreeUniquePtr<float[]> joint_rows;     ///< [2][lanes][joint_stride]:
                                                        ///< cosines, sines of turns
     hwy::AlignedFreeUniquePtr<float[]> joint_columns;  ///< [2][joint_stride][lanes]
@@ -54,7 +53,7 @@ struct StrandBatch {
         : intervals(in.guides.count),
           stride(in.guides.place_stride),
           neighbours(std::size_t(in.binding.neighbours)),
-          rows(hwy::AllocateAligned<float>(4 * lanes * stride)),
+          rows(hwy::AllocateAligned<float>(3 * lanes * stride)),
           joint_rows(hwy::AllocateAligned<float>(2 * lanes * in.guides.joint_stride + 1)),
           joint_columns(
               hwy::AllocateAligned<float>(2 * lanes * in.guides.joint_stride + 1)),

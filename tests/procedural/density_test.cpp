@@ -94,7 +94,7 @@ TEST(Density, AStrandsWidthIsContinuousInTheDensity) {
                 << rank << ' ' << d;
             d += std::max(step, 1e-5);
         }
-        EXPECT_NEAR(width_at(rank, 1 - 1e-9), 1, rank < 0.9999 ? 1e-8 : 1);
+        EXPECT_NEAR(width_at(rank, 1 - 1e-9), 1, 1e-8);
     }
 }
 
