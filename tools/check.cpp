@@ -75,13 +75,13 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
     for (const double frame : chosen.frames) {
         const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
         Stopwatch watch;
-        cost.curves = expand(generator.binding, state.profiles, job.groom.expand);
+        cost.curves = expand(generator.binding, state.classed, job.groom.expand);
         cost.expand += watch.lap();
         CheckReport children =
-            check(generator.binding, state.guides, state.profiles, cost.curves,
+            check(generator.binding, state.guides, state.classed, cost.curves,
                   job.groom.expand.blend, job.groom.bind.length_scale, tolerances);
         cost.chunks =
-            worst_of(cost.chunks, check_chunks(generator.binding, state.profiles,
+            worst_of(cost.chunks, check_chunks(generator.binding, state.classed,
                                                cost.curves, job.groom.expand, chunks));
         GuideCheck guides =
             check_guides(state.guides, generator.source.guides, state.scalp_roots);

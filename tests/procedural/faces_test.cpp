@@ -79,7 +79,7 @@ TEST(RibbonFaces, StayWhereABendSwingsThroughStraight) {
             const double share = 1 - 2.0 * step / kSteps;
             Curves now = ribbons(binding, swung(standing.guides, share), entry.blend);
             for (std::size_t j = 0; j < now.normals.size(); ++j) {
-                const std::size_t place = j % now.points_per_strand;
+                const std::size_t place = j % now.points_of(0);
                 // The outermost control points are no normals of a place.
                 if (place == 0 || place == kIntervals + 2) continue;
                 const Vec3f turn = now.normals[j].xyz() - before.normals[j].xyz();
@@ -117,7 +117,7 @@ TEST(RibbonFaces, OfTwoMomentsNeverBlendToNothing) {
                 const float cosine = (turn.trace() - 1) / 2;
                 if (!(cosine > 0)) continue;
                 ++met;
-                const std::size_t at = i * from.points_per_strand + j + 1;
+                const std::size_t at = i * from.points_of(0) + j + 1;
                 const Vec3f half = (from.normals[at].xyz() + to.normals[at].xyz()) / 2;
                 // Frames are good to 5e-7, cos^2(turn / 2) = (1 + cosine) / 2 to thrice
                 // that.
@@ -142,7 +142,7 @@ TEST(RibbonFaces, AtRestAreThoseThatEachStrandBendsOver) {
         for (std::size_t i = 0; i < binding.size(); ++i) {
             const auto states = states_of(binding, rest, entry.blend, i);
             ribbon_normals(states, bent_face(states), normals);
-            const Point4f* out = &curves.normals[i * curves.points_per_strand];
+            const Point4f* out = &curves.normals[i * curves.points_of(0)];
             if (!turned) {
                 EXPECT_EQ(
                     std::memcmp(out, normals.data(), normals.size() * sizeof(Point4f)), 0)

@@ -50,7 +50,7 @@ TEST(PositionKernel, SumsItsGuidesControlPointsOnEveryTarget) {
         on_every_target([&] {
             const Curves curves =
                 expand(hair.binding, hair.profiles, {.blend = Blend::position});
-            const std::size_t points = curves.points_per_strand;
+            const std::size_t points = curves.points_of(0);
             for (std::size_t at = 0; at < curves.points.size(); ++at) {
                 const Sum sum = blended(hair, guides, at / points, at % points);
                 const Vec3 root =
@@ -148,7 +148,7 @@ TEST(NumberSegments, NumbersThemOnEveryTarget) {
                                     numbers.data(), count == 5);
                     for (std::size_t at = 0; at < count * intervals; ++at) {
                         ASSERT_EQ(numbers[at],
-                                  (first + at / intervals) * (intervals + more) +
+                                  first + at / intervals * (intervals + more) +
                                       at % intervals);
                     }
                     EXPECT_EQ(numbers.back(), 7u);
