@@ -128,8 +128,9 @@ StrandCheck check_strand(const Proof& proof, const std::vector<GuideValue>& valu
             const Vec3 off =
                 emitted.position(j, t) - root - place_on(states[j], measured[j], t);
             const Vec3 tangent =
-                frame *
-                Eigen::AngleAxisd(measured[j].angle * t, measured[j].axis).matrix().col(0);
+                frame * Eigen::AngleAxisd(measured[j].angle * t, measured[j].axis)
+                            .matrix()
+                            .col(0);
             distance = std::max(distance, (off - tangent * tangent.dot(off)).norm());
         }
     }
@@ -153,28 +154,34 @@ StrandCheck check_strand(const Proof& proof, const std::vector<GuideValue>& valu
 CheckReport check(const Binding& binding, const Guides& guides,
                   const ClassedGuides& classed, const Curves& curves, Blend blend,
                   double length_scale, const CheckTolerances& tolerances) {
-    const Proof proof{binding, guides,       curves,
-                      blend,   length_scale, tolerances.root,
+    const Proof proof{binding,
+                      guides,
+                      curves,
+                      blend,
+                      length_scale,
+                      tolerances.root,
                       bounds(curves).cast<double>()};
     CheckReport report;
     report.tolerances = tolerances;
     report.hull_is_asked = blend == Blend::option1;
     report.strands.resize(binding.size());
     using Range = tbb::blocked_range<std::size_t>;
-    each_class(classed.classes, binding, [&](std::size_t c, std::size_t first,
-                                             std::size_t last) {
-        const GuideProfiles<float>& profiles = classed.profiles[c];
-        const std::vector<GuideValue> values = guide_values(guides, profiles.count);
-        tbb::parallel_for(Range(first, last, 256), [&](const Range& range) {
-            std::vector<MeasuredInterval> measured;
-            each_strand(binding, profiles, classed.kernel(c), blend, range.begin(),
-                        range.end(),
-                        [&](std::size_t i, std::span<const HelixState<float>> states) {
-                            report.strands[i] =
-                                check_strand(proof, values, i, states, measured);
-                        });
-        });
-    });
+    each_class(classed.classes, binding,
+               [&](std::size_t c, std::size_t first, std::size_t last) {
+                   const GuideProfiles<float>& profiles = classed.profiles[c];
+                   const std::vector<GuideValue> values =
+                       guide_values(guides, profiles.count);
+                   tbb::parallel_for(Range(first, last, 256), [&](const Range& range) {
+                       std::vector<MeasuredInterval> measured;
+                       each_strand(
+                           binding, profiles, classed.kernel(c), blend, range.begin(),
+                           range.end(),
+                           [&](std::size_t i, std::span<const HelixState<float>> states) {
+                               report.strands[i] =
+                                   check_strand(proof, values, i, states, measured);
+                           });
+                   });
+               });
     return report;
 }
 

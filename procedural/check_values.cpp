@@ -28,23 +28,23 @@ StrandValues values_of(const Binding& binding, const ClassedGuides& guides, Blen
     out.at_places = at_places;
     out.first.push_back(0);
     using Range = tbb::blocked_range<std::size_t>;
-    each_class(guides.classes, binding, [&](std::size_t c, std::size_t first,
-                                            std::size_t last) {
-        const std::size_t each = std::size_t(guides.profiles[c].count) + at_places;
-        for (std::size_t i = first; i < last; ++i) {
-            out.first.push_back(out.first.back() + each);
-        }
-        out.values.resize(out.first.back());
-        const auto put = [&](std::size_t i, States states) {
-            for (std::size_t j = 0; j < each; ++j) {
-                out.values[out.first[i] + j] = finite(figure(states, j));
+    each_class(
+        guides.classes, binding, [&](std::size_t c, std::size_t first, std::size_t last) {
+            const std::size_t each = std::size_t(guides.profiles[c].count) + at_places;
+            for (std::size_t i = first; i < last; ++i) {
+                out.first.push_back(out.first.back() + each);
             }
-        };
-        tbb::parallel_for(Range(first, last, 256), [&](const Range& range) {
-            each_strand(binding, guides.profiles[c], guides.kernel(c), blend,
-                        range.begin(), range.end(), put);
+            out.values.resize(out.first.back());
+            const auto put = [&](std::size_t i, States states) {
+                for (std::size_t j = 0; j < each; ++j) {
+                    out.values[out.first[i] + j] = finite(figure(states, j));
+                }
+            };
+            tbb::parallel_for(Range(first, last, 256), [&](const Range& range) {
+                each_strand(binding, guides.profiles[c], guides.kernel(c), blend,
+                            range.begin(), range.end(), put);
+            });
         });
-    });
     return out;
 }
 

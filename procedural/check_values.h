@@ -7,7 +7,7 @@ namespace lancret {
 
 /// A figure along every strand. What is not a finite number counts as the largest float.
 struct StrandValues {
-    bool at_places = false;  ///< at the ends of equal intervals, else in them
+    bool at_places = false;            ///< at the ends of equal intervals, else in them
     std::vector<float> values;         ///< strand after strand, root first
     std::vector<std::size_t> first{};  ///< [strands + 1], into `values`; or empty: one
                                        ///< value a strand, of it as a whole

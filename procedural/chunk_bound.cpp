@@ -120,8 +120,8 @@ ChunkBound chunk_bound(const Binding& chunk, const ClassedGuides& guides,
     const double far =
         std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
     // And what a float cannot tell of places this far from the origin.
-    const double room =
-        5e-7 * guides.finest().count * longest + 4 * far * std::numeric_limits<float>::epsilon();
+    const double room = 5e-7 * guides.finest().count * longest +
+                        4 * far * std::numeric_limits<float>::epsilon();
     out.places = {(box.min().array() - room).cast<float>(),
                   (box.max().array() + room).cast<float>()};
     return out;

@@ -62,8 +62,7 @@ ChunkBound reach_of_chunk(const ChunkedGroom& groom, std::size_t chunk) {
     const Groom& own = groom.generator.groom;
     const GuideProfiles<float>& profiles = groom.generator.profiles;
     return reach_bound(roots, std::ranges::max(profiles.lengths) * own.bind.length_scale,
-                       groom.generator.classes.counts.back(), own.expand,
-                       own.density);
+                       groom.generator.classes.counts.back(), own.expand, own.density);
 }
 
 }  // namespace lancret

@@ -1,6 +1,7 @@
 #include "procedural/class_choice.h"
 
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -143,8 +144,8 @@ struct Measures {
         float most = 0;
         for (std::size_t k = child * n; k < (child + 1) * n; ++k) {
             if (!(binding.weights[k] > 0)) continue;
-            most = std::max(
-                most, most_curved[c * profiles[c].size() + binding.guides[k]]);
+            most =
+                std::max(most, most_curved[c * profiles[c].size() + binding.guides[k]]);
         }
         return most * binding.lengths[child] / float(profiles[c].count);
     }
@@ -243,6 +244,28 @@ double adapted_distance(const Binding& binding, const GuideProfiles<float>& fine
     return change_of(grown, binding, coarse, child, settings,
                      std::numeric_limits<float>::infinity(), room)
         .distance;
+}
+
+AdaptedReport adapted_report(const Binding& binding, const ClassedGuides& guides,
+                             const GuideProfiles<float>& fine, double tolerance,
+                             const ExpandSettings& settings) {
+    using Range = tbb::blocked_range<std::size_t>;
+    return tbb::parallel_reduce(
+        Range(0, binding.size(), 64), AdaptedReport(),
+        [&](const Range& range, AdaptedReport out) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                const std::size_t c = guides.classes.of(binding, i);
+                if (guides.profiles[c].count == fine.count) continue;
+                const double distance =
+                    adapted_distance(binding, fine, guides.profiles[c], i, settings);
+                out.farthest = std::max(out.farthest, distance);
+                out.beyond += distance > tolerance;
+            }
+            return out;
+        },
+        [](const AdaptedReport& a, const AdaptedReport& b) {
+            return AdaptedReport{std::max(a.farthest, b.farthest), a.beyond + b.beyond};
+        });
 }
 
 }  // namespace lancret

@@ -31,4 +31,16 @@ double adapted_distance(const Binding& binding, const GuideProfiles<float>& fine
                         const GuideProfiles<float>& coarse, std::size_t child,
                         const ExpandSettings& settings);
 
+/// What is seen of the classes of all children.
+struct AdaptedReport {
+    double farthest = 0;     ///< cm, the largest adapted_distance; 0 at the finest
+    std::size_t beyond = 0;  ///< children that go beyond the tolerance
+};
+
+/// Looks at all children of `binding`, at the time of `guides`; `fine` are the profiles
+/// of that time on the finest count that a strand could have.
+AdaptedReport adapted_report(const Binding& binding, const ClassedGuides& guides,
+                             const GuideProfiles<float>& fine, double tolerance,
+                             const ExpandSettings& settings);
+
 }  // namespace lancret

@@ -9,8 +9,8 @@ namespace lancret {
 std::uint32_t heaviest_guide(const Binding& binding, std::size_t i) {
     const auto n = std::size_t(binding.neighbours);
     const float* const weights = &binding.weights[i * n];
-    return binding.guides[i * n + std::size_t(std::max_element(weights, weights + n) -
-                                              weights)];
+    return binding
+        .guides[i * n + std::size_t(std::max_element(weights, weights + n) - weights)];
 }
 
 std::size_t StrandClasses::of(const Binding& binding, std::size_t i) const {

@@ -61,9 +61,8 @@ void check_alike(const SceneTime& first, const SceneTime& other) {
             "a scene has strands at all times, a mesh at all or none");
     const Curves &a = *first.curves, &b = *other.curves;
     if (a.basis != b.basis || a.shape != b.shape || a.strands != b.strands ||
-        a.classes != b.classes ||
-        a.points.size() != b.points.size() || a.tangents.size() != b.tangents.size() ||
-        a.normals.size() != b.normals.size() ||
+        a.classes != b.classes || a.points.size() != b.points.size() ||
+        a.tangents.size() != b.tangents.size() || a.normals.size() != b.normals.size() ||
         !std::ranges::equal(a.segments.span(), b.segments.span()))
         throw std::invalid_argument("a scene's strands are the same at all times");
     if (first.mesh && (first.mesh->triangles != other.mesh->triangles ||

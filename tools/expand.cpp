@@ -63,14 +63,13 @@ int expand_groom(const ExpandOptions& options) {
     }
     nlohmann::json stats = generator_stats(generator);
     add_curve_stats(stats, curves, seconds);
+    const double alike = stats.at("points_alike").get<double>();
     write_stats(options.groom.stats, std::move(stats));
     fmt::print(
         "{} strands, {} points ({:.0f} % of strands alike) in {:.4f} s: {:.1f} million "
         "points a second, {:.0f} bytes a strand{}\n",
-        curves.strands, curves.points.size(),
-        100 * double(curves.points.size()) / stats.at("points_alike").get<double>(),
-        seconds,
-        double(curves.points.size()) / seconds / 1e6,
+        curves.strands, curves.points.size(), 100 * double(curves.points.size()) / alike,
+        seconds, double(curves.points.size()) / seconds / 1e6,
         double(curves.bytes()) / curves.strands,
         output.empty() ? "" : "; written to " + output.string());
     return kFine;

@@ -17,7 +17,7 @@ namespace {
 struct Grown {
     std::size_t strands = 0, points = 0, largest = 0;  ///< the last in bytes, of a chunk
     IntervalCounts classes;
-    double bind = 0, expand = 0;                       ///< s
+    double bind = 0, expand = 0;  ///< s
     BindReport report;
 };
 

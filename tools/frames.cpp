@@ -86,7 +86,7 @@ namespace {
 
 /// Brings `generator`'s binding to a frame, and says the guides and where they stand.
 void pose_to(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
-               const Job& job, double frame, FrameState& out) {
+             const Job& job, double frame, FrameState& out) {
     out.guides = chosen.cache.empty() ? generator.source.guides
                                       : guides_at(chosen, rest, job, frame);
     if (!chosen.cache.empty() && job.pose_at) out.pose = job.pose_at(frame);
@@ -123,18 +123,16 @@ RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
     }
     const Groom& groom = job.groom;
     int intervals = generator.profiles.count;
-    each_measured_frame(
-        generator, chosen, job, [&](int frame, const Guides& guides) {
-            try {
-                intervals = std::max(
-                    intervals,
-                    intervals_within(generator.binding, guides, groom.expand.blend,
-                                     groom.tolerance, groom.expand.basis));
-            } catch (const InputError& error) {
-                throw InputError(fmt::format("{}: frame {}: {}", chosen.cache.string(),
-                                             frame, error.what()));
-            }
-        });
+    each_measured_frame(generator, chosen, job, [&](int frame, const Guides& guides) {
+        try {
+            intervals = std::max(
+                intervals, intervals_within(generator.binding, guides, groom.expand.blend,
+                                            groom.tolerance, groom.expand.basis));
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: frame {}: {}", chosen.cache.string(), frame,
+                                         error.what()));
+        }
+    });
     if (intervals != generator.profiles.count) {
         generator.profiles = guide_profiles<float>(generator.source.guides, intervals);
     }
@@ -145,9 +143,9 @@ RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
             refine_classes(all, sample, guides, groom.tolerance, groom.expand);
         };
         refine(generator.sample, generator.source.guides);
-        each_measured_frame(
-            generator, chosen, job,
-            [&](int, const Guides& guides) { refine(generator.binding, guides); });
+        each_measured_frame(generator, chosen, job, [&](int, const Guides& guides) {
+            refine(generator.binding, guides);
+        });
         generator.classes = used_classes(all);
     }
     generator.binding = in_class_order(std::move(generator.binding), generator.classes);

@@ -35,7 +35,8 @@ double pixels_of(const Eigen::AlignedBox3f& box, const Camera& camera, int heigh
 std::vector<std::uint32_t> seen_of(std::span<const std::uint32_t> chunk) {
     const std::size_t count = std::min(chunk.size(), kSeen);
     std::vector<std::uint32_t> out;
-    for (std::size_t i = 0; i < count; ++i) out.push_back(chunk[i * chunk.size() / count]);
+    for (std::size_t i = 0; i < count; ++i)
+        out.push_back(chunk[i * chunk.size() / count]);
     return out;
 }
 
@@ -67,8 +68,7 @@ void prune_by_size(Generator& generator, std::span<const Camera> cameras, int he
     std::vector<float> widths(roots.size());
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t c) {
         const double density =
-            density_of(generator, guides, chunks.of(c), cameras, height,
-                       strands_a_pixel);
+            density_of(generator, guides, chunks.of(c), cameras, height, strands_a_pixel);
         for (const std::uint32_t i : chunks.of(c)) {
             const double rank = strand_rank(generator.groom.seed, binding.roots.id(i));
             widths[i] = float(width_at(rank, density));

@@ -25,8 +25,8 @@ struct Check : testing::Test {
     Blend blend = Blend::option1;
 
     CheckReport report() const {
-        return check(hair.binding, hair.standing.guides, hair.classed(blend), curves, blend, 1,
-                     {});
+        return check(hair.binding, hair.standing.guides, hair.classed(blend), curves,
+                     blend, 1, {});
     }
     std::span<Point4f> points() {
         return curves.points.span().subspan(kStrand * curves.points_of(0),
@@ -160,8 +160,8 @@ TEST(CheckHull, FindsCurvatureOutsideThatOfTheGuides) {
     for (int i = 0; i < 8; ++i) hair.profiles.intervals[guide * 8 + i].kappa *= 1.5f;
     for (const Blend blend : {Blend::option1, Blend::position}) {
         const Curves curves = expand(hair.binding, hair.profiles, {.blend = blend});
-        const CheckReport found = check(hair.binding, hair.standing.guides, hair.classed(blend),
-                                        curves, blend, 1, {});
+        const CheckReport found = check(hair.binding, hair.standing.guides,
+                                        hair.classed(blend), curves, blend, 1, {});
         EXPECT_EQ(found.hull_is_asked, blend == Blend::option1);
         if (blend == Blend::position) continue;
         std::size_t outside = 0;
@@ -182,8 +182,9 @@ TEST(CheckHull, FindsTorsionOutsideThatOfTheGuides) {
     const std::uint32_t guide = hair.binding.guides[0];
     hair.profiles.intervals[guide * 8 + 3].tau += 0.1f;
     const Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
-    const CheckReport found = check(hair.binding, hair.standing.guides, hair.classed(Blend::option1),
-                                    curves, Blend::option1, 1, {});
+    const CheckReport found =
+        check(hair.binding, hair.standing.guides, hair.classed(Blend::option1), curves,
+              Blend::option1, 1, {});
     for (std::size_t i = 0; i < 100; ++i) {
         EXPECT_EQ(found.strands[i].inside_hull, hair.binding.guides[i] != guide);
     }
@@ -251,8 +252,9 @@ TEST(CheckHull, IsNotAskedWhereAnIntervalHoldsAJoint) {
     // 26 intervals over 4 segments: those across a joint have no curvature of their own.
     MadeHair hair{120, 26, 1, 4, 4, 0.1};
     const Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
-    const CheckReport report = check(hair.binding, hair.standing.guides, hair.classed(Blend::option1),
-                                     curves, Blend::option1, 1, {});
+    const CheckReport report =
+        check(hair.binding, hair.standing.guides, hair.classed(Blend::option1), curves,
+              Blend::option1, 1, {});
     for (const StrandCheck& s : report.strands) EXPECT_TRUE(s.inside_hull) << s.strand;
 }
 
@@ -263,7 +265,8 @@ TEST(CheckHull, FindsAStrandThatBendsMoreThanItsGuides) {
     Guides straighter = hair.standing.guides;
     for (Vec3& u : straighter.curvatures) u *= 0.5;
     const CheckReport report =
-        check(hair.binding, straighter, hair.classed(Blend::option1), curves, Blend::option1, 1, {});
+        check(hair.binding, straighter, hair.classed(Blend::option1), curves,
+              Blend::option1, 1, {});
     std::size_t outside = 0;
     for (const StrandCheck& s : report.strands) outside += !s.inside_hull;
     EXPECT_GT(outside, report.strands.size() / 2);

@@ -19,8 +19,8 @@ struct Checked {
 
     CheckReport report() const {
         const Curves curves = expand(hair.binding, hair.profiles, {.blend = blend});
-        return check(hair.binding, hair.standing.guides, hair.classed(blend), curves, blend, 1,
-                     {});
+        return check(hair.binding, hair.standing.guides, hair.classed(blend), curves,
+                     blend, 1, {});
     }
 };
 
@@ -39,8 +39,8 @@ TEST(CheckValues, LengthErrorsAreTheReports) {
 TEST(CheckValues, TheLargestOrthogonalityOfAStrandIsTheReports) {
     const Checked made;
     const CheckReport report = made.report();
-    const StrandValues values =
-        orthogonality_values(made.hair.binding, made.hair.classed(made.blend), made.blend);
+    const StrandValues values = orthogonality_values(
+        made.hair.binding, made.hair.classed(made.blend), made.blend);
     ASSERT_EQ(values.strands(), 80u);
     for (std::size_t i = 0; i < 80; ++i) {
         const auto own = values.of(i);

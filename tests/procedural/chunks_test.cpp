@@ -151,9 +151,8 @@ TEST(ChunkBound, HoldsItsStrandsTightly) {
                 .blend = named.blend, .basis = basis, .taper = {0.05f, 0.01f}};
             const Curves curves = expand(hair.binding, hair.profiles, settings);
             const Chunks chunks = chunks_of(hair.binding.roots.positions, 100);
-            const ChunkCheck check =
-                check_chunks(hair.binding, hair.classed(settings.blend), curves, settings,
-                             chunks);
+            const ChunkCheck check = check_chunks(
+                hair.binding, hair.classed(settings.blend), curves, settings, chunks);
             EXPECT_EQ(check.chunks, 6u);
             EXPECT_TRUE(check.pass()) << named.name << ' ' << chunks_line(check);
             // Of boxes some 10 cm a side: hulls of segments that turn by up to a third of
@@ -185,9 +184,9 @@ TEST(ChunkBound, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
     const Mat3 turn = Eigen::AngleAxisd(0.5, Vec3::UnitY()).toRotationMatrix();
     for (Mat3& frame : later.root_frames) frame = turn * frame;
     const auto profiles = guide_profiles<float>(later, hair.profiles.count);
-    ChunkBound bound =
-        chunk_bound(hair.binding, hair.classed(Blend::detail), {});
-    bound.extend(chunk_bound(hair.binding, one_class(profiles, hair.standing.normals, Blend::detail), {}));
+    ChunkBound bound = chunk_bound(hair.binding, hair.classed(Blend::detail), {});
+    bound.extend(chunk_bound(
+        hair.binding, one_class(profiles, hair.standing.normals, Blend::detail), {}));
     const Eigen::AlignedBox3d box = bound.box().cast<double>();
     const Curves a = expand(hair.binding, hair.profiles, {});
     const Curves b = expand(hair.binding, profiles, {});
@@ -227,8 +226,9 @@ TEST(ChunkBound, ReachHoldsEveryBlendOfTheChunk) {
 
 TEST(ChunkBound, OfNoStrandsIsEmpty) {
     const MadeHair hair(10, 8, 1);
-    EXPECT_TRUE(
-        chunk_bound(picked(hair.binding, {}), hair.classed(Blend::detail), {}).box().isEmpty());
+    EXPECT_TRUE(chunk_bound(picked(hair.binding, {}), hair.classed(Blend::detail), {})
+                    .box()
+                    .isEmpty());
 }
 
 TEST(Binding, PickedChildrenKeepTheirBits) {

@@ -147,9 +147,9 @@ TEST(NumberSegments, NumbersThemOnEveryTarget) {
                     number_segments(first, count, intervals + more, intervals,
                                     numbers.data(), count == 5);
                     for (std::size_t at = 0; at < count * intervals; ++at) {
-                        ASSERT_EQ(numbers[at],
-                                  first + at / intervals * (intervals + more) +
-                                      at % intervals);
+                        ASSERT_EQ(
+                            numbers[at],
+                            first + at / intervals * (intervals + more) + at % intervals);
                     }
                     EXPECT_EQ(numbers.back(), 7u);
                 }

@@ -41,8 +41,8 @@ struct HalfCurled {
         bind(test::plane_roots(800, 3), standing.guides, standing.normals, {});
     StrandClasses classes = chosen(unsorted);
     Binding binding = in_class_order(unsorted, classes);
-    ClassedGuides guides = classed_guides(standing.guides, classes, standing.normals,
-                                          settings.blend);
+    ClassedGuides guides =
+        classed_guides(standing.guides, classes, standing.normals, settings.blend);
 
     explicit HalfCurled(const ExpandSettings& own = {}) : settings(own) {}
 

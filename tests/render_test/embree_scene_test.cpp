@@ -112,8 +112,7 @@ TEST(HairScene, PrimitivesNameTheirStrand) {
         Eigen::AlignedBox3f box;
         for (std::uint32_t j = 0; j < curves.points_of(0); ++j)
             box.extend(
-                curves.points[std::size_t(hit->strand) * curves.points_of(0) + j]
-                    .xyz());
+                curves.points[std::size_t(hit->strand) * curves.points_of(0) + j].xyz());
         EXPECT_LT(box.exteriorDistance(hit->position), 2 * hit->radius);
     }
     EXPECT_GT(seen.size(), 50u);

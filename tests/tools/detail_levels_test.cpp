@@ -73,9 +73,9 @@ TEST(Adapt, WritesStrandsOfTheirOwnNumbersOfPoints) {
 TEST(Adapt, DoesNotWhereAllStrandsAreToBeAlike) {
     const SmallGrooms folder;
     const std::string stats = folder.at("stats.json");
-    const std::string toml = folder.file(
-        "alike.toml",
-        "[guides]\nsegments = 6\n[guides.made]\nstrands = 40\n[strands]\nadapt = false\n");
+    const std::string toml = folder.file("alike.toml",
+                                         "[guides]\nsegments = 6\n[guides.made]\nstrands "
+                                         "= 40\n[strands]\nadapt = false\n");
     const auto expect_alike = [&](std::vector<std::string> command) {
         for (const char* more : {"--strands", "500", "--stats", stats.c_str()}) {
             command.emplace_back(more);
