@@ -21,6 +21,8 @@ constexpr float kMostLengthChange = 0.005f;
 /// Radians that an interval may turn, as in intervals_within.
 constexpr float kMostTurn = 2;
 constexpr int kMostMultiples = 16;
+/// A guide of this weight leads other children much like the one that is measured.
+constexpr float kNearlyLeads = 0.25f;
 
 /// Finest first.
 std::vector<int> class_counts(int finest, int segments) {
@@ -206,15 +208,21 @@ void refine_classes(StrandClasses& classes, const Binding& sample, const Guides&
                     double tolerance, const ExpandSettings& settings) {
     const Measures measures(guides, classes.counts);
     const Binding alone = images(sample, guides);
-    std::vector<std::vector<std::uint32_t>> led(guides.size());
+    std::vector<std::vector<std::uint32_t>> followers(guides.size());
+    const auto k = std::size_t(sample.neighbours);
     for (std::uint32_t i = 0; i < sample.size(); ++i) {
-        led[heaviest_guide(sample, i)].push_back(i);
+        const std::uint32_t leads = heaviest_guide(sample, i);
+        for (std::size_t j = i * k; j < (i + 1) * k; ++j) {
+            const std::uint32_t g = sample.guides[j];
+            if (g == leads || sample.weights[j] >= kNearlyLeads)
+                followers[g].push_back(i);
+        }
     }
     const float limit = float(kSampleShare * tolerance);
     tbb::parallel_for(std::uint32_t(0), std::uint32_t(guides.size()), [&](auto g) {
-        const Binding& from = led[g].empty() ? alone : sample;
+        const Binding& from = followers[g].empty() ? alone : sample;
         const std::vector<std::uint32_t> own =
-            led[g].empty() ? std::vector<std::uint32_t>{g} : led[g];
+            followers[g].empty() ? std::vector<std::uint32_t>{g} : followers[g];
         classes.of_guide[g] = std::uint8_t(
             class_of(from, own, measures, classes.of_guide[g], limit, settings));
     });

@@ -16,8 +16,9 @@ StrandClasses coarsest_classes(const Guides& guides, int finest);
 /// each leads, at the time of `guides`: that at their class emitted curves stay, across
 /// the strand, within 0.6 `tolerance` cm of the child at the finest, that their length
 /// changes by at most 0.005 of itself, and that no interval turns by more than 2 radians.
-/// The finest is always taken to do. A guide that leads none is measured on a child that
-/// is its image.
+/// The finest is always taken to do. So that children beyond the sample keep the
+/// tolerance too, the others in which a guide has a weight of 0.25 count as led by it. A
+/// guide without any is measured on a child that is its image.
 void refine_classes(StrandClasses& classes, const Binding& sample, const Guides& guides,
                     double tolerance, const ExpandSettings& settings);
 

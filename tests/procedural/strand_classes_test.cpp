@@ -207,7 +207,7 @@ Groom small_groom() {
     Groom groom;
     groom.name = "small";
     groom.made.strands = 40;
-    groom.guides.number = 12;
+    groom.guides.number = 40;
     groom.fit.segments = 6;
     groom.strands = 1000;
     return groom;
