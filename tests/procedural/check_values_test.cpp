@@ -79,12 +79,12 @@ TEST(CheckValues, CurvatureAndTorsionAreThoseOfAHelix) {
 }
 
 TEST(CheckValues, ThoseOfPlacesAreJoinedAndThoseOfIntervalsHold) {
-    const StrandValues intervals{2, false, {1, 2, 5, 7}};
+    const StrandValues intervals{false, {1, 2, 5, 7}, {0, 2, 4}};
     EXPECT_EQ(intervals.at(1, 0), 5);
     EXPECT_EQ(intervals.at(1, 0.49f), 5);
     EXPECT_EQ(intervals.at(1, 0.5f), 7);
     EXPECT_EQ(intervals.at(1, 1), 7);
-    const StrandValues places{3, true, {0, 0, 0, 1, 2, 6}};
+    const StrandValues places{true, {0, 0, 0, 1, 2, 6}, {0, 3, 6}};
     EXPECT_EQ(places.at(1, 0), 1);
     EXPECT_EQ(places.at(1, 0.25f), 1.5f);
     EXPECT_EQ(places.at(1, 0.5f), 2);
