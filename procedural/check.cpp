@@ -86,72 +86,102 @@ bool finite(std::span<const Point4f> points) {
     });
 }
 
+/// All that every strand is looked at with.
+struct Proof {
+    const Binding& binding;
+    const Guides& guides;
+    const Curves& curves;
+    Blend blend;
+    double length_scale;
+    double root_tolerance;    ///< cm
+    Eigen::AlignedBox3d box;  ///< of the curves
+};
+
+/// What is found on child i, of these places.
+StrandCheck check_strand(const Proof& proof, const std::vector<GuideValue>& values,
+                         std::size_t i, std::span<const HelixState<float>> states,
+                         std::vector<MeasuredInterval>& measured) {
+    const Binding& binding = proof.binding;
+    const std::size_t n = states.size() - 1, k = std::size_t(binding.neighbours);
+    const EmittedStrand emitted = emitted_strand(proof.curves, i);
+    const std::span own_guides(&binding.guides[i * k], k);
+    const std::span own_weights(&binding.weights[i * k], k);
+    const Vec3 root = binding.roots.positions[i].cast<double>();
+    StrandCheck out;
+    out.strand = binding.roots.id(i);
+    out.orthogonality = float(orthogonality_error(states));
+
+    double intended = 0, weight = 0;
+    for (std::size_t j = 0; j < k; ++j) {
+        intended += double(own_weights[j]) * guide_length(proof.guides, own_guides[j]);
+        weight += own_weights[j];
+    }
+    intended *= proof.length_scale / weight;
+    double length = 0, distance = 0;
+    measured.resize(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        measured[j] = measured_interval(states[j], states[j + 1]);
+        length += measured[j].length;
+        const Eigen::Matrix3d frame = states[j].frame.cast<double>();
+        for (const double t : {0.25, 0.5, 0.75}) {
+            // Only what lies across the strand is a distance from it.
+            const Vec3 off =
+                emitted.position(j, t) - root - place_on(states[j], measured[j], t);
+            const Vec3 tangent =
+                frame * Eigen::AngleAxisd(measured[j].angle * t, measured[j].axis)
+                            .matrix()
+                            .col(0);
+            distance = std::max(distance, (off - tangent * tangent.dot(off)).norm());
+        }
+    }
+    out.length_error = float(length / intended - 1);
+    out.emitted_length_error = float(emitted.length() / intended - 1);
+    out.distance = float(distance);
+    out.root_distance = float((emitted.position(0, 0) - root).norm());
+    out.finite = finite(emitted.points) && finite(emitted.tangents) &&
+                 std::isfinite(length) && std::isfinite(out.orthogonality);
+    // No further from its root than it is long, and in the box that a host is told.
+    const Vec3 tip = emitted.position(n - 1, 1);
+    out.inside_bound =
+        proof.box.contains(tip) &&
+        (tip - root).norm() <= intended * (1 + 1e-4) + proof.root_tolerance;
+    out.inside_hull = inside_hull(measured, own_guides, own_weights, values);
+    return out;
+}
+
 }  // namespace
 
 CheckReport check(const Binding& binding, const Guides& guides,
-                  const GuideProfiles<float>& profiles, const Curves& curves, Blend blend,
+                  const ClassedGuides& classed, const Curves& curves, Blend blend,
                   double length_scale, const CheckTolerances& tolerances) {
-    const std::size_t n = profiles.count, k = binding.neighbours;
-    const std::vector<GuideValue> values = guide_values(guides, profiles.count);
-    const Eigen::AlignedBox3d box = bounds(curves).cast<double>();
-    const KernelGuides kernel = kernel_guides(profiles, binding.guide_normals, blend);
+    const Proof proof{binding,
+                      guides,
+                      curves,
+                      blend,
+                      length_scale,
+                      tolerances.root,
+                      bounds(curves).cast<double>()};
     CheckReport report;
     report.tolerances = tolerances;
     report.hull_is_asked = blend == Blend::option1;
     report.strands.resize(binding.size());
-
-    const auto check_range = [&](const tbb::blocked_range<std::size_t>& range) {
-        std::vector<MeasuredInterval> measured(n);
-        const auto look = [&](std::size_t i, std::span<const HelixState<float>> states) {
-            const EmittedStrand emitted = emitted_strand(curves, i);
-            const std::span own_guides(&binding.guides[i * k], k);
-            const std::span own_weights(&binding.weights[i * k], k);
-            const Vec3 root = binding.roots.positions[i].cast<double>();
-            StrandCheck& out = report.strands[i];
-            out.strand = std::uint32_t(i);
-            out.orthogonality = float(orthogonality_error(states));
-
-            double intended = 0, weight = 0;
-            for (std::size_t j = 0; j < k; ++j) {
-                intended += double(own_weights[j]) * guide_length(guides, own_guides[j]);
-                weight += own_weights[j];
-            }
-            intended *= length_scale / weight;
-            double length = 0, distance = 0;
-            for (std::size_t j = 0; j < n; ++j) {
-                measured[j] = measured_interval(states[j], states[j + 1]);
-                length += measured[j].length;
-                const Eigen::Matrix3d frame = states[j].frame.cast<double>();
-                for (const double t : {0.25, 0.5, 0.75}) {
-                    // Only what lies across the strand is a distance from it.
-                    const Vec3 off = emitted.position(j, t) - root -
-                                     place_on(states[j], measured[j], t);
-                    const Vec3 tangent =
-                        frame * Eigen::AngleAxisd(measured[j].angle * t, measured[j].axis)
-                                    .matrix()
-                                    .col(0);
-                    distance =
-                        std::max(distance, (off - tangent * tangent.dot(off)).norm());
-                }
-            }
-            out.length_error = float(length / intended - 1);
-            out.emitted_length_error = float(emitted.length() / intended - 1);
-            out.distance = float(distance);
-            out.root_distance = float((emitted.position(0, 0) - root).norm());
-            out.finite = finite(emitted.points) && finite(emitted.tangents) &&
-                         std::isfinite(length) && std::isfinite(out.orthogonality);
-            // No further from its root than it is long, and in the box that a host is
-            // told.
-            const Vec3 tip = emitted.position(n - 1, 1);
-            out.inside_bound =
-                box.contains(tip) &&
-                (tip - root).norm() <= intended * (1 + 1e-4) + tolerances.root;
-            out.inside_hull = inside_hull(measured, own_guides, own_weights, values);
-        };
-        each_strand(binding, profiles, kernel, blend, range.begin(), range.end(), look);
-    };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, binding.size(), 256),
-                      check_range);
+    using Range = tbb::blocked_range<std::size_t>;
+    each_class(classed.classes, binding,
+               [&](std::size_t c, std::size_t first, std::size_t last) {
+                   const GuideProfiles<float>& profiles = classed.profiles[c];
+                   const std::vector<GuideValue> values =
+                       guide_values(guides, profiles.count);
+                   tbb::parallel_for(Range(first, last, 256), [&](const Range& range) {
+                       std::vector<MeasuredInterval> measured;
+                       each_strand(
+                           binding, profiles, classed.kernel(c), blend, range.begin(),
+                           range.end(),
+                           [&](std::size_t i, std::span<const HelixState<float>> states) {
+                               report.strands[i] =
+                                   check_strand(proof, values, i, states, measured);
+                           });
+                   });
+               });
     return report;
 }
 
@@ -188,7 +218,9 @@ bool CheckReport::pass() const {
 std::vector<StrandCheck> CheckReport::worst(std::size_t n) const {
     std::vector<std::pair<double, std::uint32_t>> order;
     order.reserve(strands.size());
-    for (const StrandCheck& s : strands) order.emplace_back(-severity(s), s.strand);
+    for (std::uint32_t i = 0; i < strands.size(); ++i) {
+        order.emplace_back(-severity(strands[i]), i);
+    }
     n = std::min(n, order.size());
     std::partial_sort(order.begin(), order.begin() + n, order.end());
     std::vector<StrandCheck> out;

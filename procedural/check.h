@@ -21,7 +21,7 @@ struct CheckTolerances {
 
 /// What was found on one strand.
 struct StrandCheck {
-    std::uint32_t strand = 0;
+    std::uint32_t strand = 0;  ///< its id
     bool finite = true;        ///< every place, frame and control point
     bool inside_bound = true;  ///< the tip, in the curves' box and within reach
     bool inside_hull =
@@ -49,12 +49,13 @@ struct CheckReport {
 };
 
 /// Looks at every child: at the frames and places of the very kernel that expansion used,
-/// and at `curves`, which is what it made of `binding`. Arc length is
-/// measured from the chords between places and the rotations between frames, by
+/// and at `curves`, which is what it made of `binding`, each at its own class. Arc length
+/// is measured from the chords between places and the rotations between frames, by
 /// quadrature for the emitted curve; curvature and torsion are compared with the guides'
 /// own.
+/// `guides` are those of `classed`.
 CheckReport check(const Binding& binding, const Guides& guides,
-                  const GuideProfiles<float>& profiles, const Curves& curves, Blend blend,
+                  const ClassedGuides& classed, const Curves& curves, Blend blend,
                   double length_scale, const CheckTolerances& tolerances);
 
 }  // namespace lancret

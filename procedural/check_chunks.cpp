@@ -45,16 +45,15 @@ struct Found {
     double volume = 0, seen = 0;
 };
 
-Found check_chunk(const Binding& binding, const GuideProfiles<float>& profiles,
-                  const KernelGuides& guides, const Curves& curves,
-                  const ExpandSettings& settings,
+Found check_chunk(const Binding& binding, const ClassedGuides& guides,
+                  const Curves& curves, const ExpandSettings& settings,
                   std::span<const std::uint32_t> children) {
     Found out;
     const Binding own = picked(binding, children);
     const Eigen::AlignedBox3d box =
-        chunk_bound(own, profiles, guides, settings).box().cast<double>();
+        chunk_bound(own, guides, settings).box().cast<double>();
     Curves alone;
-    expand(own, profiles, guides, settings, alone);
+    expand(own, guides, settings, alone);
     Eigen::AlignedBox3d seen;
     for (std::size_t i = 0; i < children.size(); ++i) {
         const EmittedStrand strand = emitted_strand(alone, i),
@@ -73,14 +72,12 @@ Found check_chunk(const Binding& binding, const GuideProfiles<float>& profiles,
 
 }  // namespace
 
-ChunkCheck check_chunks(const Binding& binding, const GuideProfiles<float>& profiles,
+ChunkCheck check_chunks(const Binding& binding, const ClassedGuides& guides,
                         const Curves& curves, const ExpandSettings& settings,
                         const Chunks& chunks) {
     std::vector<Found> found(chunks.size());
-    const KernelGuides guides =
-        kernel_guides(profiles, binding.guide_normals, settings.blend);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t c) {
-        found[c] = check_chunk(binding, profiles, guides, curves, settings, chunks.of(c));
+        found[c] = check_chunk(binding, guides, curves, settings, chunks.of(c));
     });
     ChunkCheck out;
     out.chunks = chunks.size();

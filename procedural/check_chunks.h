@@ -24,7 +24,7 @@ struct ChunkCheck {
 /// Looks at the chunks of `binding`, whose strands as a whole are `curves`. Strands are
 /// measured with their widths where t is 0, 1/4, ... on each segment. `chunks` are of
 /// places in the binding.
-ChunkCheck check_chunks(const Binding& binding, const GuideProfiles<float>& profiles,
+ChunkCheck check_chunks(const Binding& binding, const ClassedGuides& guides,
                         const Curves& curves, const ExpandSettings& settings,
                         const Chunks& chunks);
 

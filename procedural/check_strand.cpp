@@ -107,10 +107,8 @@ double EmittedStrand::length() const {
 }
 
 EmittedStrand emitted_strand(const Curves& curves, std::size_t i) {
-    const std::size_t n = curves.points_per_strand;
     const auto own = [&](const Buffer<Point4f>& of_all) {
-        return of_all.size() > 0 ? of_all.span().subspan(i * n, n)
-                                 : std::span<const Point4f>();
+        return curves.of_strand(of_all, std::uint32_t(i));
     };
     return {curves.basis, own(curves.points), own(curves.tangents), own(curves.normals)};
 }

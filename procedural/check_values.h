@@ -7,12 +7,19 @@ namespace lancret {
 
 /// A figure along every strand. What is not a finite number counts as the largest float.
 struct StrandValues {
-    std::uint32_t per_strand = 1;  ///< >= 1; one: of the strand as a whole
-    bool at_places = false;     ///< at the ends of per_strand - 1 equal intervals, else
-                                ///< in per_strand of them
-    std::vector<float> values;  ///< [strands * per_strand], root first
+    bool at_places = false;            ///< at the ends of equal intervals, else in them
+    std::vector<float> values;         ///< strand after strand, root first
+    std::vector<std::size_t> first{};  ///< [strands + 1], into `values`; or empty: one
+                                       ///< value a strand, of it as a whole
 
-    std::size_t strands() const { return values.size() / per_strand; }
+    std::size_t strands() const {
+        return first.empty() ? values.size() : first.size() - 1;
+    }
+    std::span<const float> of(std::size_t strand) const {
+        if (first.empty()) return std::span(values).subspan(strand, 1);
+        return std::span(values).subspan(first[strand],
+                                         first[strand + 1] - first[strand]);
+    }
     /// At `along`, 0 at the root to 1 at the tip: linear between places, even within an
     /// interval.
     float at(std::uint32_t strand, float along) const;
@@ -22,14 +29,14 @@ struct StrandValues {
 StrandValues length_error_values(const CheckReport& report);
 
 /// max |R^T R - I| at every place. Their largest on a strand is what `check` reports.
-StrandValues orthogonality_values(const Binding& binding,
-                                  const GuideProfiles<float>& profiles, Blend blend);
+StrandValues orthogonality_values(const Binding& binding, const ClassedGuides& guides,
+                                  Blend blend);
 
 /// Curvature and torsion in every interval, 1/cm, as `check` compares them with the
 /// guides'.
-StrandValues curvature_values(const Binding& binding,
-                              const GuideProfiles<float>& profiles, Blend blend);
-StrandValues torsion_values(const Binding& binding, const GuideProfiles<float>& profiles,
+StrandValues curvature_values(const Binding& binding, const ClassedGuides& guides,
+                              Blend blend);
+StrandValues torsion_values(const Binding& binding, const ClassedGuides& guides,
                             Blend blend);
 
 /// Whether frames of this blend turn about the tangent as the curl does; else they are

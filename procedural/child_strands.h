@@ -6,8 +6,9 @@
 namespace lancret {
 
 /// The children as points on the strands themselves (not control points), with their
-/// diameters: what other programs read. profiles.count + 1 points a strand.
-Strands child_strands(const Binding& binding, const GuideProfiles<float>& profiles,
+/// diameters: what other programs read. They stand in the order of their ids, each with
+/// one point more than its class has intervals.
+Strands child_strands(const Binding& binding, const ClassedGuides& guides,
                       const ExpandSettings& settings);
 
 }  // namespace lancret

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "guides/errors.h"
+#include "procedural/class_choice.h"
 #include "procedural/density.h"
 #include "procedural/emission.h"
 
@@ -89,6 +90,14 @@ int child_intervals(const Groom& groom, const GroomGuides& source,
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", groom.name, error.what()));
     }
+}
+
+StrandClasses child_classes(const Groom& groom, const GroomGuides& source,
+                            const Binding& sample, int finest) {
+    if (!groom.adapts()) return {{finest}};
+    StrandClasses all = coarsest_classes(source.guides, finest);
+    refine_classes(all, sample, source.guides, groom.tolerance, groom.expand);
+    return used_classes(all);
 }
 
 }  // namespace lancret

@@ -32,4 +32,9 @@ Binding sample_of_children(const Groom& groom, const GroomGuides& source,
 /// InputError.
 int child_intervals(const Groom& groom, const GroomGuides& source, const Binding& sample);
 
+/// How finely the children of each guide are cut, of at most `finest` intervals: all
+/// alike where the groom does not adapt.
+StrandClasses child_classes(const Groom& groom, const GroomGuides& source,
+                            const Binding& sample, int finest);
+
 }  // namespace lancret

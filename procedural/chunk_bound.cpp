@@ -59,6 +59,36 @@ void extend_by_curve(Eigen::AlignedBox3d& box, const Strand& strand) {
     }
 }
 
+/// The box of children [first, last).
+Eigen::AlignedBox3d box_of(const Binding& chunk, std::size_t first, std::size_t last,
+                           const GuideProfiles<float>& profiles,
+                           const KernelGuides& guides, const ExpandSettings& settings) {
+    using Range = tbb::blocked_range<std::size_t>;
+    const int n = profiles.count;
+    return tbb::parallel_reduce(
+        Range(first, last, 64), Eigen::AlignedBox3d(),
+        [&](const Range& range, Eigen::AlignedBox3d out) {
+            Strand strand(n, settings.basis);
+            const auto extend_by = [&](std::size_t i,
+                                       std::span<const HelixState<float>> states) {
+                const Vec3f& root = chunk.roots.positions[i];
+                const float ds = chunk.lengths[i] / float(n);
+                if (strand.tangents.empty()) {
+                    bspline_points(states, ds, root, {}, strand.points,
+                                   ends_of(settings.blend));
+                } else {
+                    hermite_points(states, ds, root, {}, strand.points, strand.tangents);
+                }
+                extend_by_helices(out, states, root.cast<double>(), ds);
+                extend_by_curve(out, strand);
+            };
+            each_strand(chunk, profiles, guides, settings.blend, range.begin(),
+                        range.end(), extend_by);
+            return out;
+        },
+        [](Eigen::AlignedBox3d a, const Eigen::AlignedBox3d& b) { return a.extend(b); });
+}
+
 }  // namespace
 
 Eigen::AlignedBox3f ChunkBound::box() const {
@@ -72,31 +102,14 @@ ChunkBound& ChunkBound::extend(const ChunkBound& other) {
     return *this;
 }
 
-ChunkBound chunk_bound(const Binding& chunk, const GuideProfiles<float>& profiles,
-                       const KernelGuides& guides, const ExpandSettings& settings) {
-    using Range = tbb::blocked_range<std::size_t>;
-    const int n = profiles.count;
-    const auto box = tbb::parallel_reduce(
-        Range(0, chunk.size(), 64), Eigen::AlignedBox3d(),
-        [&](const Range& range, Eigen::AlignedBox3d out) {
-            Strand strand(n, settings.basis);
-            const auto extend_by = [&](std::size_t i,
-                                       std::span<const HelixState<float>> states) {
-                const Vec3f& root = chunk.roots.positions[i];
-                const float ds = chunk.lengths[i] / float(n);
-                if (strand.tangents.empty()) {
-                    bspline_points(states, ds, root, {}, strand.points);
-                } else {
-                    hermite_points(states, ds, root, {}, strand.points, strand.tangents);
-                }
-                extend_by_helices(out, states, root.cast<double>(), ds);
-                extend_by_curve(out, strand);
-            };
-            each_strand(chunk, profiles, guides, settings.blend, range.begin(),
-                        range.end(), extend_by);
-            return out;
-        },
-        [](Eigen::AlignedBox3d a, const Eigen::AlignedBox3d& b) { return a.extend(b); });
+ChunkBound chunk_bound(const Binding& chunk, const ClassedGuides& guides,
+                       const ExpandSettings& settings) {
+    Eigen::AlignedBox3d box;
+    each_class(guides.classes, chunk,
+               [&](std::size_t c, std::size_t first, std::size_t last) {
+                   box.extend(box_of(chunk, first, last, guides.profiles[c],
+                                     guides.kernel(c), settings));
+               });
     ChunkBound out;
     if (box.isEmpty()) return out;
     float width = 0;
@@ -108,8 +121,8 @@ ChunkBound chunk_bound(const Binding& chunk, const GuideProfiles<float>& profile
     const double far =
         std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
     // And what a float cannot tell of places this far from the origin.
-    const double room =
-        5e-7 * n * longest + 4 * far * std::numeric_limits<float>::epsilon();
+    const double room = 5e-7 * guides.finest().count * longest +
+                        4 * far * std::numeric_limits<float>::epsilon();
     out.places = {(box.min().array() - room).cast<float>(),
                   (box.max().array() + room).cast<float>()};
     return out;

@@ -18,10 +18,10 @@ ChunkedGroom make_chunked_groom(const Groom& groom, std::uint32_t most,
     Stopwatch watch;
     out.places = child_places(groom, generator.source);
     generator.sample = sample_of_children(groom, generator.source, out.places);
-    generator.binding = generator.sample;
-    generator.profiles =
-        guide_profiles<float>(generator.source.guides,
-                              child_intervals(groom, generator.source, generator.sample));
+    const int finest = child_intervals(groom, generator.source, generator.sample);
+    generator.profiles = guide_profiles<float>(generator.source.guides, finest);
+    generator.classes = child_classes(groom, generator.source, generator.sample, finest);
+    generator.binding = in_class_order(generator.sample, generator.classes);
     out.chunks = make_chunks(
         out.places.size(), [&](std::uint32_t i) { return place_of(out, i); }, most);
     generator.seconds.bind = watch.lap();
@@ -42,7 +42,7 @@ Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk, double density)
         pruned_roots(own, source, groom.places, groom.chunks.of(chunk), density));
     if (own.expand.has_faces())
         out.faces = rest_faces(out, groom.generator.profiles, own.expand.blend);
-    return out;
+    return in_class_order(std::move(out), groom.generator.classes);
 }
 
 Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk) {
@@ -50,7 +50,7 @@ Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk) {
 }
 
 Curves expand_chunk(const ChunkedGroom& groom, std::size_t chunk) {
-    return expand(bind_chunk(groom, chunk), groom.generator.profiles,
+    return expand(bind_chunk(groom, chunk), rest_guides(groom.generator),
                   groom.generator.groom.expand);
 }
 
@@ -62,7 +62,7 @@ ChunkBound reach_of_chunk(const ChunkedGroom& groom, std::size_t chunk) {
     const Groom& own = groom.generator.groom;
     const GuideProfiles<float>& profiles = groom.generator.profiles;
     return reach_bound(roots, std::ranges::max(profiles.lengths) * own.bind.length_scale,
-                       profiles.count, own.expand, own.density);
+                       groom.generator.classes.counts.back(), own.expand, own.density);
 }
 
 }  // namespace lancret

@@ -23,16 +23,30 @@ std::array<Vec3f, 2> beyond(const HelixState<float>& end, const HelixState<float
     return places;
 }
 
+/// The same on the parabola through `end` and two places from it on.
+std::array<Vec3f, 2> beyond(const Vec3f& end, const Vec3f& next, const Vec3f& after) {
+    const Vec3f a = next - end, b = after - next;
+    return {end - 2 * a + b, end - 5 * a + 3 * b};
+}
+
 Point4f point(const Vec3f& p, float radius) { return {p.x(), p.y(), p.z(), radius}; }
 
 }  // namespace
 
 void bspline_points(std::span<const HelixState<float>> states, float ds,
-                    const Vec3f& root, const Taper& taper, std::span<Point4f> points) {
+                    const Vec3f& root, const Taper& taper, std::span<Point4f> points,
+                    Ends ends) {
     const std::ptrdiff_t n = std::ptrdiff_t(states.size()) - 1;
     assert(std::ptrdiff_t(points.size()) == n + 3);
-    const auto before = beyond(states[0], states[1], -ds);
-    const auto after = beyond(states[n], states[n - 1], ds);
+    // The places beyond the end `at`, away from the places `way` from it on.
+    const auto beyond_end = [&](std::ptrdiff_t at, std::ptrdiff_t way) {
+        if (ends == Ends::helix)
+            return beyond(states[at], states[at + way], float(-way) * ds);
+        const Vec3f &end = states[at].position, &next = states[at + way].position;
+        return beyond(end, next,
+                      n > 1 ? states[at + 2 * way].position : Vec3f(2 * next - end));
+    };
+    const auto before = beyond_end(0, 1), after = beyond_end(n, -1);
     const auto place = [&](std::ptrdiff_t i) -> const Vec3f& {
         if (i < 0) return before[-i - 1];
         if (i > n) return after[i - n - 1];

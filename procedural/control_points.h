@@ -29,13 +29,21 @@ constexpr std::uint32_t control_points_of(CurveBasis basis, std::uint32_t interv
     return basis == CurveBasis::bspline ? intervals + 3 : intervals + 1;
 }
 
+/// How a strand goes on beyond its ends, where control points are made of places there.
+enum class Ends {
+    helix,     ///< that of its last interval
+    parabola,  ///< through its last three places; a line through two: where frames are
+               ///< carried along and say nothing of how the strand bends
+};
+
 /// Control points of the uniform cubic B-spline that follows a strand, by the five-tap
-/// quasi-interpolant (1, -10, 54, -10, 1) / 36 on its places. Beyond the ends the strand
-/// goes on as the helix of its last interval; the outermost points are then such that the
-/// curve begins and ends where the strand does. `states` are n + 1 >= 2 places at equal
+/// quasi-interpolant (1, -10, 54, -10, 1) / 36 on its places, two beyond each end among
+/// them; the outermost points are then such that the curve begins and ends where the
+/// strand does. `states` are n + 1 >= 2 places at equal
 /// steps of arc length `ds`, from the root at `root`; `points` has n + 3.
 void bspline_points(std::span<const HelixState<float>> states, float ds,
-                    const Vec3f& root, const Taper& taper, std::span<Point4f> points);
+                    const Vec3f& root, const Taper& taper, std::span<Point4f> points,
+                    Ends ends = Ends::helix);
 
 /// The face that a strand bends over, and not over its edge: towards where the tip is,
 /// seen along the root; of a straight strand along n1. Unit: cosine and sine of its angle

@@ -1,6 +1,42 @@
 #include "procedural/curves.h"
 
+#include <limits>
+#include <stdexcept>
+
+#include "procedural/control_points.h"
+
 namespace lancret {
+
+void Curves::add_class(std::uint32_t count, std::uint32_t intervals) {
+    if (count == 0) return;
+    if (classes.size() == kMostClasses) {
+        throw std::invalid_argument("curves: too many classes of strands");
+    }
+    const CurveClass own{strands,
+                         std::uint32_t(segment_count()),
+                         std::uint32_t(point_count()),
+                         count,
+                         intervals,
+                         control_points_of(basis, intervals)};
+    if (own.point + std::size_t(count) * own.points >
+        std::numeric_limits<std::uint32_t>::max()) {
+        throw std::invalid_argument("curves: more control points than 32 bits can count");
+    }
+    classes.push_back(own);
+    strands += count;
+}
+
+std::size_t Curves::segment_count() const {
+    if (classes.empty()) return 0;
+    const CurveClass& last = classes.back();
+    return last.segment + std::size_t(last.strands) * last.segments;
+}
+
+std::size_t Curves::point_count() const {
+    if (classes.empty()) return 0;
+    const CurveClass& last = classes.back();
+    return last.point + std::size_t(last.strands) * last.points;
+}
 
 Eigen::AlignedBox3f bounds(const Curves& curves) {
     Eigen::AlignedBox3f box;

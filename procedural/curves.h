@@ -2,6 +2,7 @@
 // What expansion makes and Embree reads: the same bytes, shared without a copy.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "guides/types.h"
@@ -19,27 +20,73 @@ enum class CurveShape {
     ribbon,  ///< bands with a face of their own, B-splines alone: grass, feathers
 };
 
-/// Strands as control points, every strand with the same number of segments. Segment j of
-/// strand i has the primitive id i * segments_per_strand + j and starts at control point
-/// i * points_per_strand + j.
+/// Strands that stand together and have the same number of segments.
+struct CurveClass {
+    std::uint32_t strand = 0, segment = 0, point = 0;  ///< the first of each
+    std::uint32_t strands = 0;                         ///< >= 1
+    std::uint32_t segments = 0, points = 0;            ///< a strand; control points
+
+    bool operator==(const CurveClass&) const = default;
+};
+inline constexpr std::size_t kMostClasses = 32;
+
+/// Where a segment is.
+struct SegmentPlace {
+    std::uint32_t strand, in_strand;  ///< its number among the strand's own
+    std::uint32_t of;                 ///< so many does the strand have
+    std::uint32_t point;              ///< the first control point
+};
+
+/// Strands as control points, class after class. A segment's primitive id is its place in
+/// `segments`; those of a strand follow each other, and so do its control points.
 struct Curves {
     CurveBasis basis = CurveBasis::bspline;
     CurveShape shape = CurveShape::flat;
     std::uint32_t strands = 0;
-    std::uint32_t segments_per_strand = 0;
-    std::uint32_t points_per_strand = 0;
-    Buffer<Point4f> points;    ///< [strands * points_per_strand], cm, w is the radius
+    std::vector<CurveClass> classes;  ///< of all strands, at most kMostClasses
+    Buffer<Point4f> points;           ///< of all strands, cm, w is the radius
     Buffer<Point4f> tangents;  ///< Hermite alone: [points], cm a segment, w is dr/dt
     Buffer<Point4f> normals;   ///< ribbons, and elliptic strands: [points], control
                                ///< points of the face's normal, of any length; else none
-    Buffer<std::uint32_t>
-        segments;  ///< [strands * segments_per_strand], first control point
+    Buffer<std::uint32_t> segments;  ///< of all strands, the first control point
 
     std::vector<std::uint32_t> ids;  ///< [strands], of those that are grown of all;
                                      ///< empty: their numbers
 
+    /// Adds `count` strands of `intervals` segments to the table after those that are
+    /// there, nothing where there are none; the buffers stay as they are. Throws
+    /// std::invalid_argument where there are more classes than kMostClasses, or more
+    /// control points than 32 bits can count.
+    void add_class(std::uint32_t count, std::uint32_t intervals);
+    /// How many segments and control points the classes have together.
+    std::size_t segment_count() const;
+    std::size_t point_count() const;
+
+    const CurveClass& class_of(std::uint32_t strand) const {
+        return last_from(&CurveClass::strand, strand);
+    }
+    SegmentPlace place_of(std::uint32_t segment) const {
+        const CurveClass& own = last_from(&CurveClass::segment, segment);
+        const std::uint32_t at = segment - own.segment, strand = at / own.segments,
+                            in_strand = at - strand * own.segments;
+        return {own.strand + strand, in_strand, own.segments,
+                own.point + strand * own.points + in_strand};
+    }
     std::uint32_t strand_of(std::uint32_t segment) const {
-        return segment / segments_per_strand;
+        return place_of(segment).strand;
+    }
+    std::uint32_t points_of(std::uint32_t strand) const {
+        return class_of(strand).points;
+    }
+    std::uint32_t first_point(std::uint32_t strand) const {
+        const CurveClass& own = class_of(strand);
+        return own.point + (strand - own.strand) * own.points;
+    }
+    /// A strand's part of points, tangents or normals; nothing of an empty buffer.
+    std::span<const Point4f> of_strand(const Buffer<Point4f>& buffer,
+                                       std::uint32_t strand) const {
+        if (buffer.size() == 0) return {};
+        return buffer.span().subspan(first_point(strand), points_of(strand));
     }
     std::uint32_t id_of(std::uint32_t strand) const {
         return ids.empty() ? strand : ids[strand];
@@ -47,6 +94,15 @@ struct Curves {
     std::size_t bytes() const {
         return points.bytes() + tangents.bytes() + normals.bytes() + segments.bytes() +
                ids.size() * sizeof(std::uint32_t);
+    }
+
+  private:
+    /// The last class whose first is not beyond `i`.
+    const CurveClass& last_from(std::uint32_t CurveClass::*first, std::uint32_t i) const {
+        const CurveClass* own = classes.data();
+        const CurveClass* const last = own + classes.size() - 1;
+        while (own != last && own[1].*first <= i) ++own;
+        return *own;
     }
 };
 

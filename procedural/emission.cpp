@@ -55,13 +55,13 @@ double length_over_guides(const Binding& binding, const Guides& guides) {
 }
 
 double emission_distance(std::span<const HelixState<float>> states, float ds,
-                         CurveBasis basis) {
+                         CurveBasis basis, Ends ends) {
     const std::uint32_t n = std::uint32_t(states.size()) - 1;
     std::vector<Point4f> points(control_points_of(basis, n)), tangents(points.size());
     if (basis == CurveBasis::hermite) {
         hermite_points(states, ds, Vec3f::Zero(), {}, points, tangents);
     } else {
-        bspline_points(states, ds, Vec3f::Zero(), {}, points);
+        bspline_points(states, ds, Vec3f::Zero(), {}, points, ends);
     }
     float worst = 0;
     for (std::uint32_t j = 0; j < n; ++j) {
@@ -110,7 +110,8 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
                 for (std::size_t i = range.begin(); i < range.end(); ++i) {
                     synthesize_child<float>(binding, profiles, blend, i, states);
                     const float ds = binding.lengths[i] / float(n);
-                    worst = std::max(worst, emission_distance(states, ds, basis));
+                    worst = std::max(
+                        worst, emission_distance(states, ds, basis, ends_of(blend)));
                 }
                 return worst;
             },

@@ -2,6 +2,7 @@
 // How finely strands must be cut for their control points to follow them.
 
 #include "procedural/binding.h"
+#include "procedural/control_points.h"
 #include "procedural/curves.h"
 
 namespace lancret {
@@ -21,7 +22,7 @@ double length_over_guides(const Binding& binding, const Guides& guides);
 /// the middle of each interval, where a helix strays most; infinity where something is
 /// not finite. `states` are places at equal steps `ds` of arc length.
 double emission_distance(std::span<const HelixState<float>> states, float ds,
-                         CurveBasis basis);
+                         CurveBasis basis, Ends ends = Ends::helix);
 
 /// The number of intervals a strand, a multiple of the guides' segments, at which emitted
 /// curves stay within `tolerance` cm of the strands, and no interval of a guide turns by

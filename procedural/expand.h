@@ -8,6 +8,7 @@
 #include "procedural/binding.h"
 #include "procedural/control_points.h"
 #include "procedural/curves.h"
+#include "procedural/strand_classes.h"
 #include "procedural/synthesis.h"
 
 namespace lancret {
@@ -23,14 +24,21 @@ struct ExpandSettings {
     bool has_faces() const { return faces || shape == CurveShape::ribbon; }
 };
 
-/// All children as control points. The guides' profiles say at how many intervals. Throws
-/// std::invalid_argument where faces are asked for and the binding has none.
+/// All children as control points, each at the intervals of its class, into `out`, whose
+/// memory is used again where its sizes fit: the next frame, the next chunk. Throws
+/// std::invalid_argument where children do not stand in the order of their classes, and
+/// where faces are asked for and the binding has none.
+void expand(const Binding& binding, const ClassedGuides& guides,
+            const ExpandSettings& settings, Curves& out);
+Curves expand(const Binding& binding, const ClassedGuides& guides,
+              const ExpandSettings& settings);
+
+/// The same, all strands alike: the guides' profiles say at how many intervals.
 Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
               const ExpandSettings& settings);
 
-/// The same into `out`, whose memory is used again where its sizes fit: the next frame,
-/// the next chunk. `guides` are kernel_guides of the same profiles and blend, made once a
-/// pose; without any the scalar blends serve, to compare with.
+/// `guides` are kernel_guides of the same profiles and blend, made once a pose; without
+/// any the scalar blends serve, to compare with.
 void expand(const Binding& binding, const GuideProfiles<float>& profiles,
             const KernelGuides& guides, const ExpandSettings& settings, Curves& out);
 

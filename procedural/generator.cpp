@@ -30,6 +30,11 @@ Roots grown_roots(const Groom& groom, const GroomGuides& source, RootPlaces plac
 
 }  // namespace
 
+ClassedGuides rest_guides(const Generator& generator) {
+    return classed_guides(generator.source.guides, generator.classes,
+                          generator.binding.guide_normals, generator.groom.expand.blend);
+}
+
 Generator make_generator(const Groom& groom, const StageCallback& stage) {
     Generator out;
     out.groom = groom;
@@ -41,8 +46,10 @@ Generator make_generator(const Groom& groom, const StageCallback& stage) {
     out.sample = sample_of_children(groom, out.source, places);
     out.binding = bind_children(groom, out.source,
                                 grown_roots(groom, out.source, std::move(places)));
-    out.profiles = guide_profiles<float>(out.source.guides,
-                                         child_intervals(groom, out.source, out.sample));
+    const int finest = child_intervals(groom, out.source, out.sample);
+    out.profiles = guide_profiles<float>(out.source.guides, finest);
+    out.classes = child_classes(groom, out.source, out.sample, finest);
+    out.binding = in_class_order(std::move(out.binding), out.classes);
     if (groom.expand.has_faces())
         out.binding.faces = rest_faces(out.binding, out.profiles, groom.expand.blend);
     out.seconds.bind = watch.lap();

@@ -11,10 +11,14 @@ struct Generator {
     Groom groom;
     GroomGuides source;             ///< guides, scalp, and how they came about
     GuideProfiles<float> profiles;  ///< of the guides
-    Binding binding;
+    StrandClasses classes;          ///< how finely each strand is cut
+    Binding binding;                ///< in_class_order
     Binding sample;  ///< sample_of_children: says how many intervals strands have
     StageSeconds seconds;
 };
+
+/// The guides at rest as `expand` reads them.
+ClassedGuides rest_guides(const Generator& generator);
 
 /// Loads, chooses and fits guides, places and binds children. Throws InputError.
 Generator make_generator(const Groom& groom, const StageCallback& stage = {});

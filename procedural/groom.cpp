@@ -93,6 +93,7 @@ void read_strands(const TomlTable& strands, Groom& out) {
     set(out.bind.length_scale, strands.number("length_scale", 0.001, 100));
     set(out.tolerance, strands.number("tolerance", 1e-4, 10));
     if (const auto n = strands.integer("intervals", 1, 1000)) out.intervals = int(*n);
+    set(out.adapt, strands.boolean("adapt"));
     if (const auto basis = strands.choice("curve", kCurveBases)) {
         out.expand.basis = *basis == 0 ? CurveBasis::bspline : CurveBasis::hermite;
     }

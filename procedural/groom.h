@@ -59,6 +59,11 @@ struct Groom {
     ExpandSettings expand;
     double tolerance = 0.03;       ///< cm, of the emitted curves from the strands
     std::optional<int> intervals;  ///< a strand; none: by tolerance
+    bool adapt = true;  ///< whether strands that need fewer intervals have fewer
+
+    /// Whether strands may differ in their intervals: faces that turn about a straight
+    /// strand are not measured.
+    bool adapts() const { return adapt && !intervals && !expand.has_faces(); }
 };
 
 /// How many children a groom grows: what it says; else 50,000 on a scalp, and without one

@@ -17,7 +17,7 @@ struct Roots {
     std::vector<Vec2f> uvs;         ///< [size], or empty without a scalp
     std::vector<MeshPoint> places;  ///< [size], or empty without a scalp
     std::vector<std::uint32_t>
-        ids;                    ///< [size], of the strands, ascending; empty: 0, 1 ...
+        ids;                    ///< [size], of the strands, each once; empty: 0, 1 ...
     std::vector<float> widths;  ///< [size], of a strand over its own; empty: all are 1
 
     std::size_t size() const { return positions.size(); }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "procedural/binding.h"
+#include "procedural/control_points.h"
 #include "procedural/kernels/kernel_guides.h"
 
 namespace lancret {
@@ -16,6 +17,13 @@ namespace lancret {
 template <class T>
 void synthesize_child(const Binding& binding, const GuideProfiles<T>& profiles,
                       Blend blend, std::size_t i, std::span<HelixState<T>> states);
+
+/// How the strands of a blend go on beyond their ends. The places of `position` are
+/// weighted sums, and so are its ends: of frames that are carried along they know
+/// nothing.
+constexpr Ends ends_of(Blend blend) {
+    return blend == Blend::position ? Ends::parabola : Ends::helix;
+}
 
 /// Children [first, first + count) as `expand` synthesises them: by the kernel where
 /// there is one with frames, else by the scalar blends. profiles.count + 1 places of each

@@ -108,7 +108,7 @@ TemporalReport temporal_check(const Moment& a, const Moment& b, Blend blend) {
                                          : m.amplification();
         if (i == 0 || amplification > out.amplification) {
             out.amplification = amplification;
-            out.child = std::uint32_t(i);
+            out.child = a.binding->roots.id(i);
             out.motion = m;
         }
         if (m.bound) {

@@ -90,42 +90,30 @@ std::shared_ptr<const StrandsApart> strands_apart(const CheckView& view,
                                                   const TriangleMesh* mesh,
                                                   float aspect) {
     auto out = std::make_shared<StrandsApart>();
-    const std::size_t values = view.values.per_strand;
-    for (std::uint32_t i = 0; i < curves.strands; ++i) {
-        const auto own = std::span(view.values.values).subspan(i * values, values);
-        if (std::ranges::max(own) > view.scale.clean.value_or(0))
-            out->strands.push_back(i);
-    }
     Curves& chosen = out->curves;
     chosen.basis = curves.basis;
     chosen.shape = curves.shape;
-    chosen.strands = std::uint32_t(out->strands.size());
-    chosen.segments_per_strand = curves.segments_per_strand;
-    chosen.points_per_strand = curves.points_per_strand;
-    const std::size_t points = curves.points_per_strand;
-    const std::uint32_t segments = curves.segments_per_strand;
-    chosen.points = Buffer<Point4f>(chosen.strands * points);
-    const bool hermite = curves.basis == CurveBasis::hermite;
-    chosen.tangents = Buffer<Point4f>(hermite ? chosen.points.size() : 0);
-    const bool faces = curves.normals.size() > 0;
-    chosen.normals = Buffer<Point4f>(faces ? chosen.points.size() : 0);
-    chosen.segments = Buffer<std::uint32_t>(std::size_t(chosen.strands) * segments);
-    for (std::uint32_t i = 0; i < chosen.strands; ++i) {
-        const std::size_t from = out->strands[i] * points;
-        std::copy_n(curves.points.data() + from, points,
-                    chosen.points.data() + i * points);
-        if (faces) {
-            std::copy_n(curves.normals.data() + from, points,
-                        chosen.normals.data() + i * points);
+    for (const CurveClass& own : curves.classes) {
+        const std::size_t before = out->strands.size();
+        for (std::uint32_t i = own.strand; i < own.strand + own.strands; ++i) {
+            if (std::ranges::max(view.values.of(i)) > view.scale.clean.value_or(0))
+                out->strands.push_back(i);
         }
-        if (hermite) {
-            std::copy_n(curves.tangents.data() + from, points,
-                        chosen.tangents.data() + i * points);
+        chosen.add_class(std::uint32_t(out->strands.size() - before), own.segments);
+    }
+    const auto pick = [&](const Buffer<Point4f>& from, Buffer<Point4f>& to) {
+        to = Buffer<Point4f>(from.size() > 0 ? chosen.point_count() : 0);
+        for (std::uint32_t i = 0; i < chosen.strands && from.size() > 0; ++i) {
+            std::ranges::copy(curves.of_strand(from, out->strands[i]),
+                              to.data() + chosen.first_point(i));
         }
-        for (std::uint32_t j = 0; j < segments; ++j) {
-            chosen.segments[std::size_t(i) * segments + j] =
-                std::uint32_t(i * points) + j;
-        }
+    };
+    pick(curves.points, chosen.points);
+    pick(curves.tangents, chosen.tangents);
+    pick(curves.normals, chosen.normals);
+    chosen.segments = Buffer<std::uint32_t>(chosen.segment_count());
+    for (std::uint32_t i = 0; i < chosen.segments.size(); ++i) {
+        chosen.segments[i] = chosen.place_of(i).point;
     }
     out->scene.emplace(chosen, mesh, HairSceneOptions{.aspect = aspect});
     return out;

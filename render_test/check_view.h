@@ -49,9 +49,10 @@ struct StrandsApart {
 
 /// One figure of a groom and how it is shown.
 struct CheckView {
-    std::string title;             ///< with the unit
-    ColourScale scale;             ///< where there are no colours of strands
-    StrandValues values;           ///< of the strands in the scene
+    std::string title;               ///< with the unit
+    ColourScale scale;               ///< where there are no colours of strands
+    StrandValues values;             ///< of the strands in the scene
+    std::vector<std::uint32_t> ids;  ///< of these; or empty: their numbers
     std::vector<Vec3f> colours;    ///< [strands], linear: in place of the scale; or empty
     std::vector<Swatch> swatches;  ///< for the legend of these
     /// Strands that show through all that is clean and through the mesh's surface; none:

@@ -73,8 +73,8 @@ struct HairSceneOptions {
     /// major axis, and the minor one lies along the strand's face (Curves::normals).
     /// Below 1 strands must be flat B-splines.
     float aspect = 1;
-    /// From this many segments on, those of all times counted, the BVH is Embree's compact
-    /// one: half the memory (67 bytes a segment of 140), and rays a third slower.
+    /// From this many segments on, those of all times counted, the BVH is Embree's
+    /// compact one: half the memory (67 bytes a segment of 140), and rays a third slower.
     std::size_t compact_from = std::size_t(16) << 20;
 };
 

@@ -5,6 +5,22 @@
 
 namespace lancret {
 
+namespace {
+
+/// That the table of classes says what the buffers hold.
+void check_classes(const Curves& curves) {
+    Curves counted;
+    counted.basis = curves.basis;
+    for (const CurveClass& own : curves.classes)
+        counted.add_class(own.strands, own.segments);
+    if (counted.classes != curves.classes || counted.strands != curves.strands ||
+        counted.segment_count() != curves.segments.size())
+        throw std::invalid_argument(
+            "the table of strands and their segments does not fit the strands");
+}
+
+}  // namespace
+
 void check_indices(const Curves& curves, const TriangleMesh* mesh) {
     const bool hermite = curves.basis == CurveBasis::hermite;
     const std::size_t reach = hermite ? 2 : 4;
@@ -14,20 +30,19 @@ void check_indices(const Curves& curves, const TriangleMesh* mesh) {
         (hermite || curves.normals.size() != curves.points.size()))
         throw std::invalid_argument(
             "strands with a face are B-splines with one normal a point");
-    if (curves.segments.size() !=
-        std::size_t(curves.strands) * curves.segments_per_strand)
-        throw std::invalid_argument("strands times segments a strand is not the count");
+    check_classes(curves);
     std::size_t segment = 0;
-    for (std::size_t i = 0; i < curves.strands; ++i)
-        for (std::size_t j = 0; j < curves.segments_per_strand; ++j) {
-            const std::size_t first = curves.segments[segment++];
-            if (first + reach > curves.points.size())
-                throw std::invalid_argument(
-                    "a strand segment points past the control points");
-            if (first != i * curves.points_per_strand + j)
-                throw std::invalid_argument(
-                    "a strand's segments follow each other, as its points do");
-        }
+    for (const CurveClass& own : curves.classes)
+        for (std::size_t i = 0; i < own.strands; ++i)
+            for (std::size_t j = 0; j < own.segments; ++j) {
+                const std::size_t first = curves.segments[segment++];
+                if (first + reach > curves.points.size())
+                    throw std::invalid_argument(
+                        "a strand segment points past the control points");
+                if (first != own.point + i * own.points + j)
+                    throw std::invalid_argument(
+                        "a strand's segments follow each other, as its points do");
+            }
     if (!mesh) return;
     if (!mesh->uvs.empty() && mesh->uvs.size() != mesh->triangles.size())
         throw std::invalid_argument("a mesh needs UVs for every triangle or for none");
@@ -46,9 +61,8 @@ void check_alike(const SceneTime& first, const SceneTime& other) {
             "a scene has strands at all times, a mesh at all or none");
     const Curves &a = *first.curves, &b = *other.curves;
     if (a.basis != b.basis || a.shape != b.shape || a.strands != b.strands ||
-        a.points_per_strand != b.points_per_strand ||
-        a.points.size() != b.points.size() || a.tangents.size() != b.tangents.size() ||
-        a.normals.size() != b.normals.size() ||
+        a.classes != b.classes || a.points.size() != b.points.size() ||
+        a.tangents.size() != b.tangents.size() || a.normals.size() != b.normals.size() ||
         !std::ranges::equal(a.segments.span(), b.segments.span()))
         throw std::invalid_argument("a scene's strands are the same at all times");
     if (first.mesh && (first.mesh->triangles != other.mesh->triangles ||

@@ -85,12 +85,12 @@ Vec3f SceneShape::corner_normal(std::uint32_t triangle, int corner, float time) 
 
 void SceneShape::complete_strand(const Ray& ray, Hit& hit) const {
     hit.kind = Hit::Kind::strand;
-    hit.strand = curves[0]->strand_of(hit.primitive);
+    const SegmentPlace place = curves[0]->place_of(hit.primitive);
+    hit.strand = place.strand;
     hit.id = curves[0]->id_of(hit.strand);
     const AxisPoint here = axis(hit.primitive, hit.u, ray.time);
     hit.radius = here.value.w();
-    hit.along = (float(hit.primitive % curves[0]->segments_per_strand) + hit.u) /
-                float(curves[0]->segments_per_strand);
+    hit.along = (float(place.in_strand) + hit.u) / float(place.of);
     if (!true_radii.empty() && !ray.by_chance)
         hit.opacity = opacity(hit.primitive, hit.u, hit.radius);
     hit.tangent = tangent_of(here, ray.direction);

@@ -13,9 +13,7 @@ Eigen::Map<const Vec4f, Eigen::Aligned16> as_vector(const Point4f& p) {
 
 AxisPoint axis_point(const Curves& curves, std::uint32_t segment, float u) {
     // By counting and not from `segments`: that would be one more wait for memory.
-    const std::uint32_t strand = curves.strand_of(segment);
-    const std::uint32_t first = strand * curves.points_per_strand +
-                                (segment - strand * curves.segments_per_strand);
+    const std::uint32_t first = curves.place_of(segment).point;
     const float t = 1 - u;
     if (curves.basis == CurveBasis::bspline) {
         const Point4f* p = curves.points.data() + first;

@@ -23,8 +23,8 @@ float least_radius(const Point4f& p, std::span<const Camera> cameras, float pixe
 
 /// The slopes of new radii at Hermite points: central differences within a strand.
 void set_slopes(Curves& curves, std::uint32_t strand) {
-    const std::uint32_t n = curves.points_per_strand;
-    const std::size_t first = std::size_t(strand) * n;
+    const std::uint32_t n = curves.points_of(strand);
+    const std::size_t first = curves.first_point(strand);
     for (std::uint32_t j = 0; j < n; ++j) {
         const std::uint32_t before = j > 0 ? j - 1 : 0, after = std::min(j + 1, n - 1);
         curves.tangents[first + j].w =
@@ -41,8 +41,8 @@ std::vector<float> widen_thin_strands(Curves& curves, std::span<const Camera> ca
         throw std::invalid_argument("a strand's least width must be 0 or more pixels");
     std::vector<float> before(curves.points.size());
     tbb::parallel_for(std::uint32_t(0), curves.strands, [&](std::uint32_t strand) {
-        const std::size_t first = std::size_t(strand) * curves.points_per_strand;
-        for (std::size_t i = first; i < first + curves.points_per_strand; ++i) {
+        const std::size_t first = curves.first_point(strand);
+        for (std::size_t i = first; i < first + curves.points_of(strand); ++i) {
             Point4f& p = curves.points[i];
             before[i] = p.w;
             p.w = std::max(p.w, least_radius(p, cameras, pixels, float(height)));

@@ -11,6 +11,7 @@
 #include "procedural/check_figures.h"
 #include "procedural/check_frames.h"
 #include "procedural/check_report.h"
+#include "procedural/class_choice.h"
 #include "tools/command.h"
 #include "tools/frames.h"
 #include "tools/progress.h"
@@ -39,7 +40,8 @@ std::string not_negative(const std::string& text) {
 struct FramesCost {
     double expand = 0, check = 0;
     Curves curves;
-    ChunkCheck chunks;  ///< the worst over the frames
+    ChunkCheck chunks;      ///< the worst over the frames
+    AdaptedReport adapted;  ///< likewise
 };
 
 /// The children of a frame, kept for the step to the next.
@@ -75,14 +77,22 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
     for (const double frame : chosen.frames) {
         const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
         Stopwatch watch;
-        cost.curves = expand(generator.binding, state.profiles, job.groom.expand);
+        cost.curves = expand(generator.binding, state.classed, job.groom.expand);
         cost.expand += watch.lap();
         CheckReport children =
-            check(generator.binding, state.guides, state.profiles, cost.curves,
+            check(generator.binding, state.guides, state.classed, cost.curves,
                   job.groom.expand.blend, job.groom.bind.length_scale, tolerances);
         cost.chunks =
-            worst_of(cost.chunks, check_chunks(generator.binding, state.profiles,
+            worst_of(cost.chunks, check_chunks(generator.binding, state.classed,
                                                cost.curves, job.groom.expand, chunks));
+        if (generator.classes.size() > 1) {
+            const AdaptedReport now = adapted_report(
+                generator.binding, state.classed,
+                guide_profiles<float>(state.guides, generator.profiles.count),
+                tolerances.distance, job.groom.expand);
+            cost.adapted = {std::max(cost.adapted.farthest, now.farthest),
+                            std::max(cost.adapted.beyond, now.beyond)};
+        }
         GuideCheck guides =
             check_guides(state.guides, generator.source.guides, state.scalp_roots);
         // Without a rest pose the guides may be anybody's, and are put on the scalp when
@@ -120,6 +130,14 @@ int check_groom(const CheckOptions& options) {
                check_table(report.worst));
     fmt::print("bind: {}\n", bind_line(generator.binding.report));
     fmt::print("{}{}\n", chunks_line(cost.chunks), cost.chunks.pass() ? "" : "\nFAIL");
+    if (generator.classes.size() > 1) {
+        fmt::print(
+            "points that adapt: {} classes of {} to {} intervals; at most {:.3g} cm from "
+            "the strands of {}, {} of {} strands beyond the tolerance\n",
+            generator.classes.size(), generator.classes.counts.front(),
+            generator.classes.counts.back(), cost.adapted.farthest,
+            generator.profiles.count, cost.adapted.beyond, generator.binding.size());
+    }
     if (cached) fmt::print("\n{}", frames_table(report));
     if (!options.json.empty()) {
         nlohmann::json json = check_json(report.worst);
@@ -127,6 +145,8 @@ int check_groom(const CheckOptions& options) {
         json["groom"] = job.groom.name;
         json["blend"] = blend_name(job.groom.expand.blend);
         json["chunks"] = chunks_json(cost.chunks);
+        json["adapt"] = {{"farthest_cm", number_json(cost.adapted.farthest)},
+                         {"beyond", cost.adapted.beyond}};
         json["bind"] = bind_json(generator.binding.report);
         write_json(options.json, json);
     }

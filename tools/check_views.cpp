@@ -145,26 +145,26 @@ CheckView view_of(const ViewRequest& request, const Generator& generator,
                   const RestPlaces& rest, const ShownTime& shown, const Groom& groom,
                   float aspect) {
     const Binding& binding = generator.binding;
-    const GuideProfiles<float>& profiles = shown.state.profiles;
+    const ClassedGuides& classed = shown.state.classed;
     const Blend blend = groom.expand.blend;
     const CheckTolerances tolerances;
     CheckView out;
     switch (request.view) {
         case View::length_error:
             out.title = "length error, relative";
-            out.values = length_error_values(check(binding, shown.state.guides, profiles,
+            out.values = length_error_values(check(binding, shown.state.guides, classed,
                                                    shown.curves, blend,
                                                    groom.bind.length_scale, tolerances));
             out.scale = error_scale(tolerances.length);
             break;
         case View::orthogonality:
             out.title = "orthogonality of frames, |R^T R - I|";
-            out.values = orthogonality_values(binding, profiles, blend);
+            out.values = orthogonality_values(binding, classed, blend);
             out.scale = error_scale(tolerances.orthogonality);
             break;
         case View::curvature:
             out.title = "curvature, 1/cm";
-            out.values = curvature_values(binding, profiles, blend);
+            out.values = curvature_values(binding, classed, blend);
             out.scale = size_scale(Kind::sequential, out.values.values, 0);
             break;
         case View::torsion:
@@ -175,12 +175,12 @@ CheckView view_of(const ViewRequest& request, const Generator& generator,
                     blend_name(blend)));
             }
             out.title = "torsion, 1/cm, right-handed above 0";
-            out.values = torsion_values(binding, profiles, blend);
+            out.values = torsion_values(binding, classed, blend);
             out.scale = size_scale(Kind::diverging, out.values.values, 0);
             break;
         case View::influence:
             out.title = fmt::format("influence of {} guides, mixed; most followed:",
-                                    profiles.size());
+                                    shown.state.guides.size());
             out.values = leading_guide_values(binding);
             out.colours = influence_colours(binding);
             out.swatches = frequent(std::vector<std::uint32_t>(out.values.values.begin(),
@@ -204,6 +204,7 @@ CheckView view_of(const ViewRequest& request, const Generator& generator,
             out.apart = strands_apart(out, shown.curves, &*shown.body, aspect);
             break;
     }
+    out.ids = binding.roots.ids;
     if (request.range) {
         out.scale.low = float(request.range->x());
         out.scale.high = float(request.range->y());
@@ -248,21 +249,20 @@ namespace {
 
 struct Extremes {
     float most = 0;          ///< of all sizes, with its sign
-    std::size_t strand = 0;  ///< where that is
+    std::size_t strand = 0;  ///< where that is, its id
     std::size_t beyond = 0;  ///< strands with a value above the limit
 };
 
 Extremes extremes(const CheckView& view) {
     const float limit = view.scale.clean.value_or(view.scale.high);
-    const std::vector<float>& values = view.values.values;
     Extremes out;
-    for (std::size_t i = 0; i < values.size(); i += view.values.per_strand) {
+    for (std::size_t i = 0; i < view.values.strands(); ++i) {
         bool beyond = false;
-        for (std::size_t j = i; j < i + view.values.per_strand; ++j) {
-            beyond = beyond || values[j] > limit;
-            if (std::abs(values[j]) > std::abs(out.most)) {
-                out.most = values[j];
-                out.strand = i / view.values.per_strand;
+        for (const float value : view.values.of(i)) {
+            beyond = beyond || value > limit;
+            if (std::abs(value) > std::abs(out.most)) {
+                out.most = value;
+                out.strand = view.ids.empty() ? i : view.ids[i];
             }
         }
         out.beyond += beyond;

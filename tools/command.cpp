@@ -78,6 +78,7 @@ void lay_over(const GroomOptions& options, Groom& groom) {
     if (options.strands) groom.strands = *options.strands;
     if (options.segments) groom.fit.segments = *options.segments;
     if (options.intervals) groom.intervals = *options.intervals;
+    if (options.no_adapt) groom.adapt = false;
     if (options.density) groom.density = *options.density;
     if (options.seed) groom.seed = *options.seed;
 }
@@ -120,6 +121,8 @@ void add_groom_options(CLI::App& command, GroomOptions& options) {
     command.add_option("--intervals", options.intervals, "curve segments of a child")
         ->type_name("N")
         ->check(CLI::Range(1, 1000));
+    command.add_flag("--no-adapt", options.no_adapt,
+                     "give all strands the intervals that the worst need");
     command.add_option("--seed", options.seed, "of all that is drawn by chance")
         ->type_name("N")
         ->check(is_seed);
@@ -240,9 +243,8 @@ void tell_warnings(const Generator& generator) {
 }
 
 Generator run_generator(const Groom& groom) {
-    const auto check_points = [&](std::uint64_t strands, int intervals) {
-        const std::uint64_t points =
-            strands * control_points_of(groom.expand.basis, intervals);
+    const auto check_points = [&](std::uint64_t strands, int intervals,
+                                  std::uint64_t points) {
         if (points > std::numeric_limits<std::uint32_t>::max()) {
             throw InputError(fmt::format(
                 "{}: {} strands of {} intervals have {} points, more than 2^32: ask for "
@@ -250,11 +252,21 @@ Generator run_generator(const Groom& groom) {
                 groom.name, strands, intervals, points));
         }
     };
-    check_points(groom.strands.value_or(1), groom.intervals.value_or(1));
+    const auto points_of = [&](std::uint64_t strands, int intervals) {
+        return strands * control_points_of(groom.expand.basis, intervals);
+    };
+    const std::uint64_t asked = groom.strands.value_or(1);
+    const int least = groom.intervals.value_or(1);
+    check_points(asked, least, points_of(asked, least));
     StageLine line;
     Generator out = make_generator(groom, [&](const char* stage) { line.show(stage); });
     line.clear();
-    check_points(out.binding.size(), out.profiles.count);
+    std::uint64_t points = 0;
+    const std::vector<std::uint32_t> sizes = class_sizes(out.classes, out.binding);
+    for (std::size_t c = 0; c < sizes.size(); ++c) {
+        points += points_of(sizes[c], out.classes.counts[c]);
+    }
+    check_points(out.binding.size(), out.profiles.count, points);
     tell_warnings(out);
     fmt::print(stderr, "{}",
                bind_table(out.binding.report, out.binding.size(), "lancret: "));

@@ -27,6 +27,7 @@ struct GroomOptions {
     std::optional<int> segments, intervals;
     std::optional<std::uint64_t> seed;
     std::optional<double> density;
+    bool no_adapt = false;
     std::string stats;  ///< JSON file; empty: none
 };
 

@@ -14,9 +14,7 @@ Curves curves_of(const StrandSamples& strands, std::span<const Vec3f> tangents,
     const std::uint32_t steps = std::uint32_t(strands.steps);
     Curves out;
     out.basis = CurveBasis::hermite;
-    out.strands = std::uint32_t(strands.size());
-    out.segments_per_strand = steps;
-    out.points_per_strand = steps + 1;
+    out.add_class(std::uint32_t(strands.size()), steps);
     out.points = Buffer<Point4f>(strands.points.size());
     out.tangents = Buffer<Point4f>(strands.points.size());
     out.segments = Buffer<std::uint32_t>(strands.size() * steps);

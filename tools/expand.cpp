@@ -12,7 +12,6 @@
 #include "procedural/child_strands.h"
 #include "procedural/chunks.h"
 #include "tools/command.h"
-#include "tools/expand_adapted.h"
 #include "tools/expand_chunks.h"
 #include "tools/frames.h"
 #include "tools/stats.h"
@@ -25,7 +24,7 @@ struct ExpandOptions {
     GroomOptions groom;
     FrameOptions frame;
     std::string output;
-    bool chunks = false, adapt = false;
+    bool chunks = false;
     std::optional<std::uint32_t> chunk_strands;
 };
 
@@ -39,43 +38,38 @@ int expand_groom(const ExpandOptions& options) {
         if (!output.empty()) {
             throw InputError("--chunks: keeps no strands to write; leave out -o");
         }
-        if (options.adapt) throw InputError("--adapt: is not for --chunks");
         expand_by_chunks(job, options.frame,
                          options.chunk_strands.value_or(kStrandsAChunk),
                          options.groom.stats);
         return kFine;
     }
-    if (extension == ".txt") job.groom.expand.basis = CurveBasis::bspline;
+    if (extension == ".txt") {  // which has one number of points for all strands
+        job.groom.expand.basis = CurveBasis::bspline;
+        job.groom.adapt = false;
+    }
     const ChosenFrames chosen = chosen_frames(options.frame, job, false);
-    if (options.adapt && (!chosen.cache.empty() || extension == ".txt")) {
-        throw InputError("--adapt: is for a groom at rest, without -o or with -o *.hair");
-    }
     Generator generator = run_generator(job.groom);
-    if (options.adapt) {
-        expand_adapted(job, generator, output, options.groom.stats);
-        return kFine;
-    }
     const RestPlaces rest = prepare_frames(generator, chosen, job);
-    generator.profiles =
-        go_to_frame(generator, rest, chosen, job, chosen.frames[0]).profiles;
+    const ClassedGuides guides =
+        go_to_frame(generator, rest, chosen, job, chosen.frames[0]).classed;
     Stopwatch watch;
-    const Curves curves = expand(generator.binding, generator.profiles, job.groom.expand);
+    const Curves curves = expand(generator.binding, guides, job.groom.expand);
     const double seconds = watch.lap();
 
     if (extension == ".hair") {
-        write_hair(output, child_strands(generator.binding, generator.profiles,
-                                         job.groom.expand));
+        write_hair(output, child_strands(generator.binding, guides, job.groom.expand));
     } else if (extension == ".txt") {
-        write_mitsuba(output, curves.points.span(), curves.points_per_strand);
+        write_mitsuba(output, curves.points.span(), curves.points_of(0));
     }
     nlohmann::json stats = generator_stats(generator);
     add_curve_stats(stats, curves, seconds);
+    const double alike = stats.at("points_alike").get<double>();
     write_stats(options.groom.stats, std::move(stats));
     fmt::print(
-        "{} strands, {} points in {:.4f} s: {:.1f} million points a second, {:.0f} bytes "
-        "a strand{}\n",
-        curves.strands, curves.points.size(), seconds,
-        double(curves.points.size()) / seconds / 1e6,
+        "{} strands, {} points ({:.0f} % of strands alike) in {:.4f} s: {:.1f} million "
+        "points a second, {:.0f} bytes a strand{}\n",
+        curves.strands, curves.points.size(), 100 * double(curves.points.size()) / alike,
+        seconds, double(curves.points.size()) / seconds / 1e6,
         double(curves.bytes()) / curves.strands,
         output.empty() ? "" : "; written to " + output.string());
     return kFine;
@@ -96,9 +90,6 @@ void add_expand(CLI::App& app, int& exit_code) {
             "(.txt); without it the strands are only grown")
         ->type_name("FILE")
         ->check(not_empty());
-    command->add_flag("--adapt", options->adapt,
-                      "give each strand only the points that it needs to keep the "
-                      "tolerance, and say what that saves");
     command->add_flag("--chunks", options->chunks,
                       "grow chunk by chunk and keep none: as many strands as you like");
     command
@@ -112,7 +103,6 @@ void add_expand(CLI::App& app, int& exit_code) {
         "time.json\n"
         "  lancret expand groom.toml -o children.hair\n"
         "  lancret expand groom.toml --strands 10000000 --chunks\n"
-        "  lancret expand groom.toml --adapt -o children.hair\n"
         "  lancret expand cache.h5 --frame 12 -o children.hair");
     command->callback([options, &exit_code] { exit_code = expand_groom(*options); });
 }

@@ -17,7 +17,8 @@ namespace {
 /// Of all chunks together.
 struct Grown {
     std::size_t strands = 0, points = 0, largest = 0;  ///< the last in bytes, of a chunk
-    double bind = 0, expand = 0;                       ///< s
+    IntervalCounts classes;
+    double bind = 0, expand = 0;  ///< s
     BindReport report;
 };
 
@@ -37,7 +38,6 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
     const bool moved = !chosen.cache.empty();
 
     Grown out;
-    KernelGuides guides;
     Curves curves;
     ProgressBar bar("expand");
     for (std::size_t c = 0; c < groom.chunks.size(); ++c) {
@@ -49,14 +49,13 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
         }
         out.report += binding.report;
         out.bind += watch.lap();
-        if (c == 0) {
-            guides = kernel_guides(state.profiles, binding.guide_normals,
-                                   job.groom.expand.blend);
-        }
-        expand(binding, state.profiles, guides, job.groom.expand, curves);
+        expand(binding, state.classed, job.groom.expand, curves);
         out.expand += watch.lap();
         out.strands += curves.strands;
         out.points += curves.points.size();
+        for (const CurveClass& own : curves.classes) {
+            out.classes[int(own.segments)] += own.strands;
+        }
         out.largest = std::max(out.largest, binding.bytes() + curves.bytes());
         bar.show(double(c + 1) / double(groom.chunks.size()));
     }
@@ -70,6 +69,7 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
     nlohmann::json stats = generator_stats(groom.generator);
     stats["strands"] = out.strands;
     stats["points"] = out.points;
+    add_class_stats(stats, out.classes, job.groom.expand.basis);
     stats["chunks"] = groom.chunks.size();
     stats["bind"] = bind_json(out.report);
     stats["seconds"]["cut"] = groom.generator.seconds.bind;

@@ -9,6 +9,7 @@
 
 #include "guides/errors.h"
 #include "guides/guides_between.h"
+#include "procedural/class_choice.h"
 #include "procedural/emission.h"
 
 namespace lancret {
@@ -81,38 +82,74 @@ ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all
     return out;
 }
 
-RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
-                          const Job& job) {
-    const RestPlaces rest = rest_places(generator.binding, generator.source);
-    if (chosen.cache.empty() || chosen.info.frames < 2 || job.groom.intervals) {
-        return rest;
-    }
+namespace {
+
+/// Brings `generator`'s binding to a frame, and says the guides and where they stand.
+void pose_to(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
+             const Job& job, double frame, FrameState& out) {
+    out.guides = chosen.cache.empty() ? generator.source.guides
+                                      : guides_at(chosen, rest, job, frame);
+    if (!chosen.cache.empty() && job.pose_at) out.pose = job.pose_at(frame);
+    out.scalp_roots = pose_binding(generator.binding, rest, out.pose);
+}
+
+/// visit(frame, guides) for frames spread over the whole cache; `generator`'s sample is
+/// where it is then.
+template <class Visit>
+void each_measured_frame(Generator& generator, const ChosenFrames& chosen, const Job& job,
+                         const Visit& visit) {
+    constexpr int kMeasured = 13;
     // Measured on the children that stand for all of them, at any density.
     std::swap(generator.binding, generator.sample);
-    const RestPlaces sample_rest = rest_places(generator.binding, generator.source);
-    constexpr int kMeasured = 13;
+    const RestPlaces rest = rest_places(generator.binding, generator.source);
     const int n = std::min(kMeasured, chosen.info.frames);
-    int intervals = generator.profiles.count;
     for (int i = 0; i < n; ++i) {
         const int frame =
             chosen.info.first_frame + (chosen.info.frames - 1) * i / std::max(n - 1, 1);
-        const FrameState state = go_to_frame(generator, sample_rest, chosen, job, frame);
+        FrameState state;
+        pose_to(generator, rest, chosen, job, frame, state);
+        visit(frame, state.guides);
+    }
+    pose_binding(generator.binding, rest, RigidPose{});
+    std::swap(generator.binding, generator.sample);
+}
+
+}  // namespace
+
+RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
+                          const Job& job) {
+    if (chosen.cache.empty() || chosen.info.frames < 2 || job.groom.intervals) {
+        return rest_places(generator.binding, generator.source);
+    }
+    const Groom& groom = job.groom;
+    int intervals = generator.profiles.count;
+    each_measured_frame(generator, chosen, job, [&](int frame, const Guides& guides) {
         try {
             intervals = std::max(
-                intervals,
-                intervals_within(generator.binding, state.guides, job.groom.expand.blend,
-                                 job.groom.tolerance, job.groom.expand.basis));
+                intervals, intervals_within(generator.binding, guides, groom.expand.blend,
+                                            groom.tolerance, groom.expand.basis));
         } catch (const InputError& error) {
             throw InputError(fmt::format("{}: frame {}: {}", chosen.cache.string(), frame,
                                          error.what()));
         }
-    }
-    pose_binding(generator.binding, sample_rest, RigidPose{});
-    std::swap(generator.binding, generator.sample);
+    });
     if (intervals != generator.profiles.count) {
         generator.profiles = guide_profiles<float>(generator.source.guides, intervals);
     }
-    return rest;
+    generator.classes = {{intervals}};
+    if (groom.adapts()) {
+        StrandClasses all = coarsest_classes(generator.source.guides, intervals);
+        const auto refine = [&](const Binding& sample, const Guides& guides) {
+            refine_classes(all, sample, guides, groom.tolerance, groom.expand);
+        };
+        refine(generator.sample, generator.source.guides);
+        each_measured_frame(generator, chosen, job, [&](int, const Guides& guides) {
+            refine(generator.binding, guides);
+        });
+        generator.classes = used_classes(all);
+    }
+    generator.binding = in_class_order(std::move(generator.binding), generator.classes);
+    return rest_places(generator.binding, generator.source);
 }
 
 Guides guides_at(const ChosenFrames& chosen, const RestPlaces& rest, const Job& job,
@@ -143,14 +180,10 @@ Guides guides_at(const ChosenFrames& chosen, const RestPlaces& rest, const Job& 
 FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
                        const ChosenFrames& chosen, const Job& job, double frame) {
     FrameState out;
-    if (chosen.cache.empty()) {
-        out.guides = generator.source.guides;
-    } else {
-        out.guides = guides_at(chosen, rest, job, frame);
-        if (job.pose_at) out.pose = job.pose_at(frame);
-    }
-    out.scalp_roots = pose_binding(generator.binding, rest, out.pose);
-    out.profiles = guide_profiles<float>(out.guides, generator.profiles.count);
+    pose_to(generator, rest, chosen, job, frame, out);
+    out.classed =
+        classed_guides(out.guides, generator.classes, generator.binding.guide_normals,
+                       generator.groom.expand.blend);
     return out;
 }
 

@@ -45,15 +45,16 @@ ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all
 /// Everything of one frame that is not the same in all.
 struct FrameState {
     Guides guides;
-    GuideProfiles<float> profiles;
+    ClassedGuides classed;          ///< the guides as strands read them
     std::vector<Vec3> scalp_roots;  ///< [guides], cm: where the scalp has their roots
     ScalpPose pose;                 ///< of the scalp
 };
 
 /// What `generator`'s binding is at rest; to be called before any frame. The points of a
 /// strand are the same in all frames, so where a groom does not say how many intervals it
-/// has, they are measured on frames spread over the whole cache too: hair that moves
-/// bends more than hair at rest. Throws InputError.
+/// has, they and the strands' classes are measured on frames spread over the whole cache
+/// too: hair that moves bends more than hair at rest. The binding's children may change
+/// their order with their classes. Throws InputError.
 RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
                           const Job& job);
 

@@ -31,12 +31,21 @@ double pixels_of(const Eigen::AlignedBox3f& box, const Camera& camera, int heigh
     return double(seen.sizes().x()) * wide * double(seen.sizes().y()) * high;
 }
 
-double density_of(const Generator& generator, std::span<const std::uint32_t> chunk,
-                  std::span<const Camera> cameras, int height, double strands_a_pixel) {
-    const Binding few =
-        picked(generator.binding, chunk.first(std::min(chunk.size(), kSeen)));
+/// Spread over the chunk, whose first strands are the curliest.
+std::vector<std::uint32_t> seen_of(std::span<const std::uint32_t> chunk) {
+    const std::size_t count = std::min(chunk.size(), kSeen);
+    std::vector<std::uint32_t> out;
+    for (std::size_t i = 0; i < count; ++i)
+        out.push_back(chunk[i * chunk.size() / count]);
+    return out;
+}
+
+double density_of(const Generator& generator, const ClassedGuides& guides,
+                  std::span<const std::uint32_t> chunk, std::span<const Camera> cameras,
+                  int height, double strands_a_pixel) {
+    const Binding few = picked(generator.binding, seen_of(chunk));
     const Eigen::AlignedBox3f box =
-        chunk_bound(few, generator.profiles, {}, generator.groom.expand).box();
+        chunk_bound(few, guides, generator.groom.expand).box();
     double pixels = 0;
     for (const Camera& camera : cameras) {
         pixels = std::max(pixels, pixels_of(box, camera, height));
@@ -54,10 +63,12 @@ void prune_by_size(Generator& generator, std::span<const Camera> cameras, int he
     const std::vector<Vec3f>& roots = binding.roots.positions;
     const Chunks chunks =
         make_chunks(roots.size(), [&](std::uint32_t i) { return roots[i]; });
+    ClassedGuides guides = rest_guides(generator);
+    guides.kernels.clear();  // decided once for all machines
     std::vector<float> widths(roots.size());
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t c) {
         const double density =
-            density_of(generator, chunks.of(c), cameras, height, strands_a_pixel);
+            density_of(generator, guides, chunks.of(c), cameras, height, strands_a_pixel);
         for (const std::uint32_t i : chunks.of(c)) {
             const double rank = strand_rank(generator.groom.seed, binding.roots.id(i));
             widths[i] = float(width_at(rank, density));

@@ -102,7 +102,7 @@ HairScene grow(Generator& generator, RestPlaces& rest, const ChosenFrames& chose
     for (const double frame : times) {
         FrameState state = go_to_frame(generator, rest, chosen, job, frame);
         Stopwatch watch;
-        Curves curves = expand(generator.binding, state.profiles, job.groom.expand);
+        Curves curves = expand(generator.binding, state.classed, job.groom.expand);
         cost.expand += watch.lap();
         std::optional<TriangleMesh> body = body_of(generator.source, state.pose);
         moments.push_back({std::move(state), std::move(curves), std::move(body), {}});
@@ -116,6 +116,7 @@ HairScene grow(Generator& generator, RestPlaces& rest, const ChosenFrames& chose
     }
     if (last) {
         generator.binding = generator.sample = {};
+        for (ShownTime& m : moments) m.state.classed = {};
         rest = {};
     }
     HairScene geometry(scene_times(moments), {.true_radii = moments.front().true_radii,

@@ -56,7 +56,28 @@ nlohmann::json generator_stats(const Generator& g) {
     return stats;
 }
 
+IntervalCounts interval_counts(const Curves& curves) {
+    IntervalCounts out;
+    for (const CurveClass& own : curves.classes) {
+        out[int(own.segments)] += own.strands;
+    }
+    return out;
+}
+
+void add_class_stats(nlohmann::json& stats, const IntervalCounts& counts,
+                     CurveBasis basis) {
+    std::size_t strands = 0;
+    stats["classes"] = nlohmann::json::array();
+    for (const auto& [intervals, own] : counts) {
+        stats["classes"].push_back({{"intervals", intervals}, {"strands", own}});
+        strands += own;
+    }
+    const auto finest = stats.at("intervals").get<std::uint32_t>();
+    stats["points_alike"] = strands * control_points_of(basis, finest);
+}
+
 void add_curve_stats(nlohmann::json& stats, const Curves& curves, double expand_seconds) {
+    add_class_stats(stats, interval_counts(curves), curves.basis);
     stats["points"] = curves.points.size();
     stats["seconds"]["expand"] = expand_seconds;
     stats["bytes"]["curves"] = curves.bytes();

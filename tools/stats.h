@@ -2,6 +2,8 @@
 // What a command did and what it cost.
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "procedural/generator.h"
@@ -19,7 +21,16 @@ nlohmann::json fit_stats(const GroomGuides& source);
 /// binding_per_strand}, bind.{...}: bind_json}. Commands add their own seconds and bytes.
 nlohmann::json generator_stats(const Generator& generator);
 
-/// The same with points, seconds.expand, bytes.curves and bytes.curves_per_strand.
+/// Strands by the number of their intervals, finest first.
+using IntervalCounts = std::map<int, std::size_t, std::greater<>>;
+IntervalCounts interval_counts(const Curves& curves);
+
+/// classes, each {intervals, strands}, and points_alike: how many control points there
+/// would be if all strands had the finest.
+void add_class_stats(nlohmann::json& stats, const IntervalCounts& counts,
+                     CurveBasis basis);
+
+/// add_class_stats, and points, seconds.expand, bytes.curves and bytes.curves_per_strand.
 void add_curve_stats(nlohmann::json& stats, const Curves& curves, double expand_seconds);
 
 /// Writes `json` beside and then renamed, after adding peak_rss; does nothing for an

@@ -37,12 +37,10 @@ Vec3f place(const Vec3f& normal, float phase, float length, float s) {
 
 Curves curly_strands(const Size& size, float radius) {
     Curves curves;
-    curves.strands = size.strands;
-    curves.segments_per_strand = size.points - 1;
-    curves.points_per_strand = size.points + 2;
-    curves.points = Buffer<Point4f>(std::size_t(size.strands) * curves.points_per_strand);
-    curves.segments =
-        Buffer<std::uint32_t>(std::size_t(size.strands) * curves.segments_per_strand);
+    const std::uint32_t segments = size.points - 1, points = size.points + 2;
+    curves.add_class(size.strands, segments);
+    curves.points = Buffer<Point4f>(curves.point_count());
+    curves.segments = Buffer<std::uint32_t>(curves.segment_count());
     const float golden = kPi * (3 - std::sqrt(5.0f));
     std::size_t point = 0, segment = 0;
     for (std::uint32_t i = 0; i < size.strands; ++i) {
@@ -54,10 +52,10 @@ Curves curly_strands(const Size& size, float radius) {
         const float phase = 2 * kPi * unit_float(std::uint32_t(mix(i, 1)));
         const float length =
             kLength * (0.7f + 0.3f * unit_float(std::uint32_t(mix(i, 2))));
-        for (std::uint32_t j = 0; j < curves.segments_per_strand; ++j)
-            curves.segments[segment++] = i * curves.points_per_strand + j;
-        for (std::uint32_t j = 0; j < curves.points_per_strand; ++j) {
-            const float s = (float(j) - 1) / float(curves.segments_per_strand);
+        for (std::uint32_t j = 0; j < segments; ++j)
+            curves.segments[segment++] = i * points + j;
+        for (std::uint32_t j = 0; j < points; ++j) {
+            const float s = (float(j) - 1) / float(segments);
             const Vec3f p = place(normal, phase, length, s);
             curves.points[point++] = {p.x(), p.y(), p.z(), radius};
         }

@@ -152,7 +152,7 @@ void ExpandCurls(const KernelInput& in, const KernelOutput& out) {
             if (!batch.scalar[lane]) continue;
             if (out.past_caches) hwy::FlushStream();
             expand_alone(in, out.first + s + lane, points + lane * count,
-                         out.tangents + (s + lane) * count);
+                         out.tangents ? out.tangents + (s + lane) * count : nullptr);
         }
     }
     if (out.past_caches) hwy::FlushStream();

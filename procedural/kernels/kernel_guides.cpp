@@ -25,26 +25,23 @@ Buffer<float> zeros(std::size_t size) {
     return out;
 }
 
-/// Control points of guide g from its root, in space: what bspline_points makes of it,
-/// in double precision until they are kept.
+/// Control points of guide g from its root, in space: what bspline_points makes of it
+/// with parabolas beyond its ends, in double precision until they are kept.
 void write_points(const GuideProfiles<float>& profiles, std::size_t g,
                   KernelGuides& out) {
     const std::ptrdiff_t n = profiles.count;
-    const double ds = double(profiles.lengths[g]) / double(n);
     std::vector<Vec3> places(std::size_t(n) + 5);  // two beyond each end
     for (std::ptrdiff_t i = 0; i <= n; ++i) {
         places[i + 2] = profiles.position(g, i).cast<double>();
     }
-    const auto walk_beyond = [&](std::ptrdiff_t end, std::ptrdiff_t interval, int way) {
-        HelixState<double> state{profiles.frame(g, end).cast<double>(), places[end + 2]};
-        const Vec3 u = profiles.curvatures[g * n + interval].cast<double>();
-        for (int step = 1; step <= 2; ++step) {
-            advance<double>(state, u, way * ds);
-            places[end + 2 + way * step] = state.position;
-        }
+    const auto go_beyond = [&](std::ptrdiff_t end, std::ptrdiff_t way) {
+        const Vec3 *const at = &places[end + 2], a = at[way] - at[0];
+        const Vec3 b = n > 1 ? Vec3(at[2 * way] - at[way]) : a;
+        places[end + 2 - way] = at[0] - 2 * a + b;
+        places[end + 2 - 2 * way] = at[0] - 5 * a + 3 * b;
     };
-    walk_beyond(0, 0, -1);
-    walk_beyond(n, n - 1, 1);
+    go_beyond(0, 1);
+    go_beyond(n, -1);
     const auto smoothed = [&](std::ptrdiff_t i) -> Vec3 {
         const Vec3* p = &places[i + 2];
         return (54 * p[0] - 10 * (p[-1] + p[1]) + p[-2] + p[2]) / 36;

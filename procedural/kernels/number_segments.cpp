@@ -19,7 +19,7 @@ void NumberSegments(std::size_t first, std::size_t count, std::uint32_t points,
     const hn::CappedTag<std::uint32_t, 16> d;
     const std::size_t lanes = hn::Lanes(d), size = count * intervals;
     const auto number = [&](std::size_t at) {
-        return std::uint32_t((first + at / intervals) * points + at % intervals);
+        return std::uint32_t(first + at / intervals * points + at % intervals);
     };
     std::size_t at = 0;
     while (at < size && reinterpret_cast<std::uintptr_t>(segments + at) % 64 != 0) {
@@ -29,7 +29,7 @@ void NumberSegments(std::size_t first, std::size_t count, std::uint32_t points,
     // Lanes that pass a strand's end go on with the next strand: they have its points
     // less its segments to skip, once for each strand that they pass.
     std::uint32_t in_strand = std::uint32_t(at % intervals);
-    std::uint32_t base = std::uint32_t((first + at / intervals) * points);
+    std::uint32_t base = std::uint32_t(first + at / intervals * points);
     const auto steps = hn::Iota(d, 0), skip = hn::Set(d, points - intervals);
     for (; at + lanes <= size; at += lanes) {
         auto numbers = hn::Add(hn::Set(d, base + in_strand), steps);

@@ -1,4 +1,4 @@
-// Blend `position` by vectors over the control points of a strand. Places, the helices
+// Blend `position` by vectors over the control points of a strand. Places, the parabolas
 // beyond their ends and the five taps are all linear in the guides' places: a child's
 // control points are the weighted sum of its guides'.
 

@@ -50,8 +50,8 @@ void synthesize_strands(const KernelInput& in, std::size_t first, std::size_t co
 /// Control points of children whose blend has a kernel.
 void expand_strands(const KernelInput& in, const KernelOutput& out);
 
-/// The control point that each segment of `count` strands from `first` on begins with, to
-/// `segments`.
+/// The control point that each segment of `count` strands begins with, to `segments`;
+/// `first` is the first of these points.
 void number_segments(std::size_t first, std::size_t count, std::uint32_t points,
                      std::uint32_t intervals, std::uint32_t* segments, bool past_caches);
 

@@ -25,12 +25,12 @@ struct Check : testing::Test {
     Blend blend = Blend::option1;
 
     CheckReport report() const {
-        return check(hair.binding, hair.standing.guides, hair.profiles, curves, blend, 1,
-                     {});
+        return check(hair.binding, hair.standing.guides, hair.classed(blend), curves,
+                     blend, 1, {});
     }
     std::span<Point4f> points() {
-        return curves.points.span().subspan(kStrand * curves.points_per_strand,
-                                            curves.points_per_strand);
+        return curves.points.span().subspan(kStrand * curves.points_of(0),
+                                            curves.points_of(0));
     }
     void move(std::size_t first, std::size_t count, const Vec3f& by) {
         for (Point4f& p : points().subspan(first, count)) {
@@ -108,14 +108,14 @@ TEST_F(Check, FindsAMovedControlPoint) {
 }
 
 TEST_F(Check, FindsAStrandOffItsRoot) {
-    move(0, curves.points_per_strand, Vec3f(0, 0.01f, 0));
+    move(0, curves.points_of(0), Vec3f(0, 0.01f, 0));
     const CheckReport found = report();
     expect_only_ours_fails(found);
     EXPECT_NEAR(found.strands[kStrand].root_distance, 0.01, 1e-5);
 }
 
 TEST_F(Check, FindsATipOutsideTheBound) {
-    move(curves.points_per_strand - 3, 3, Vec3f(0, 0, 1000));
+    move(curves.points_of(0) - 3, 3, Vec3f(0, 0, 1000));
     const CheckReport found = report();
     expect_only_ours_fails(found);
     EXPECT_FALSE(found.strands[kStrand].inside_bound);
@@ -142,7 +142,7 @@ TEST_F(Check, FindsNaNInARadiusAndATangent) {
     curves = expand(hair.binding, hair.profiles,
                     {.blend = Blend::option1, .basis = CurveBasis::hermite});
     EXPECT_TRUE(report().pass());
-    curves.tangents[kStrand * curves.points_per_strand + 4].w = kNaN;
+    curves.tangents[kStrand * curves.points_of(0) + 4].w = kNaN;
     expect_only_ours_fails(report());
 }
 
@@ -160,8 +160,8 @@ TEST(CheckHull, FindsCurvatureOutsideThatOfTheGuides) {
     for (int i = 0; i < 8; ++i) hair.profiles.intervals[guide * 8 + i].kappa *= 1.5f;
     for (const Blend blend : {Blend::option1, Blend::position}) {
         const Curves curves = expand(hair.binding, hair.profiles, {.blend = blend});
-        const CheckReport found = check(hair.binding, hair.standing.guides, hair.profiles,
-                                        curves, blend, 1, {});
+        const CheckReport found = check(hair.binding, hair.standing.guides,
+                                        hair.classed(blend), curves, blend, 1, {});
         EXPECT_EQ(found.hull_is_asked, blend == Blend::option1);
         if (blend == Blend::position) continue;
         std::size_t outside = 0;
@@ -182,8 +182,9 @@ TEST(CheckHull, FindsTorsionOutsideThatOfTheGuides) {
     const std::uint32_t guide = hair.binding.guides[0];
     hair.profiles.intervals[guide * 8 + 3].tau += 0.1f;
     const Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
-    const CheckReport found = check(hair.binding, hair.standing.guides, hair.profiles,
-                                    curves, Blend::option1, 1, {});
+    const CheckReport found =
+        check(hair.binding, hair.standing.guides, hair.classed(Blend::option1), curves,
+              Blend::option1, 1, {});
     for (std::size_t i = 0; i < 100; ++i) {
         EXPECT_EQ(found.strands[i].inside_hull, hair.binding.guides[i] != guide);
     }
@@ -251,8 +252,9 @@ TEST(CheckHull, IsNotAskedWhereAnIntervalHoldsAJoint) {
     // 26 intervals over 4 segments: those across a joint have no curvature of their own.
     MadeHair hair{120, 26, 1, 4, 4, 0.1};
     const Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
-    const CheckReport report = check(hair.binding, hair.standing.guides, hair.profiles,
-                                     curves, Blend::option1, 1, {});
+    const CheckReport report =
+        check(hair.binding, hair.standing.guides, hair.classed(Blend::option1), curves,
+              Blend::option1, 1, {});
     for (const StrandCheck& s : report.strands) EXPECT_TRUE(s.inside_hull) << s.strand;
 }
 
@@ -263,7 +265,8 @@ TEST(CheckHull, FindsAStrandThatBendsMoreThanItsGuides) {
     Guides straighter = hair.standing.guides;
     for (Vec3& u : straighter.curvatures) u *= 0.5;
     const CheckReport report =
-        check(hair.binding, straighter, hair.profiles, curves, Blend::option1, 1, {});
+        check(hair.binding, straighter, hair.classed(Blend::option1), curves,
+              Blend::option1, 1, {});
     std::size_t outside = 0;
     for (const StrandCheck& s : report.strands) outside += !s.inside_hull;
     EXPECT_GT(outside, report.strands.size() / 2);

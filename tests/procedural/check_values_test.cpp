@@ -19,8 +19,8 @@ struct Checked {
 
     CheckReport report() const {
         const Curves curves = expand(hair.binding, hair.profiles, {.blend = blend});
-        return check(hair.binding, hair.standing.guides, hair.profiles, curves, blend, 1,
-                     {});
+        return check(hair.binding, hair.standing.guides, hair.classed(blend), curves,
+                     blend, 1, {});
     }
 };
 
@@ -39,12 +39,12 @@ TEST(CheckValues, LengthErrorsAreTheReports) {
 TEST(CheckValues, TheLargestOrthogonalityOfAStrandIsTheReports) {
     const Checked made;
     const CheckReport report = made.report();
-    const StrandValues values =
-        orthogonality_values(made.hair.binding, made.hair.profiles, made.blend);
-    ASSERT_EQ(values.per_strand, 17u);
+    const StrandValues values = orthogonality_values(
+        made.hair.binding, made.hair.classed(made.blend), made.blend);
     ASSERT_EQ(values.strands(), 80u);
     for (std::size_t i = 0; i < 80; ++i) {
-        const auto own = std::span(values.values).subspan(17 * i, 17);
+        const auto own = values.of(i);
+        ASSERT_EQ(own.size(), 17u);
         EXPECT_EQ(*std::ranges::max_element(own), report.strands[i].orthogonality) << i;
     }
 }
@@ -66,8 +66,9 @@ TEST(CheckValues, CurvatureAndTorsionAreThoseOfAHelix) {
     const float tolerance = 4e-6f / 0.5f;
     for (const Blend blend : {Blend::detail, Blend::option1, Blend::nearest}) {
         ASSERT_TRUE(has_torsion(blend));
-        const StrandValues kappa = curvature_values(binding, profiles, blend);
-        const StrandValues tau = torsion_values(binding, profiles, blend);
+        const ClassedGuides classed = one_class(profiles, binding.guide_normals, blend);
+        const StrandValues kappa = curvature_values(binding, classed, blend);
+        const StrandValues tau = torsion_values(binding, classed, blend);
         ASSERT_EQ(kappa.values.size(), 400u);
         ASSERT_EQ(tau.values.size(), 400u);
         for (std::size_t i = 0; i < 400; ++i) {
@@ -78,12 +79,12 @@ TEST(CheckValues, CurvatureAndTorsionAreThoseOfAHelix) {
 }
 
 TEST(CheckValues, ThoseOfPlacesAreJoinedAndThoseOfIntervalsHold) {
-    const StrandValues intervals{2, false, {1, 2, 5, 7}};
+    const StrandValues intervals{false, {1, 2, 5, 7}, {0, 2, 4}};
     EXPECT_EQ(intervals.at(1, 0), 5);
     EXPECT_EQ(intervals.at(1, 0.49f), 5);
     EXPECT_EQ(intervals.at(1, 0.5f), 7);
     EXPECT_EQ(intervals.at(1, 1), 7);
-    const StrandValues places{3, true, {0, 0, 0, 1, 2, 6}};
+    const StrandValues places{true, {0, 0, 0, 1, 2, 6}, {0, 3, 6}};
     EXPECT_EQ(places.at(1, 0), 1);
     EXPECT_EQ(places.at(1, 0.25f), 1.5f);
     EXPECT_EQ(places.at(1, 0.5f), 2);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <numeric>
 #include <random>
 
@@ -103,7 +104,9 @@ Groom small_groom() {
 
 void expect_chunks_of_the_whole(const Groom& groom) {
     const Generator whole = make_generator(groom);
-    const Curves all = expand(whole.binding, whole.profiles, groom.expand);
+    const Curves all = expand(whole.binding, rest_guides(whole), groom.expand);
+    std::map<std::uint32_t, std::uint32_t> place;  // of an id
+    for (std::uint32_t i = 0; i < all.strands; ++i) place[all.id_of(i)] = i;
     for (const std::uint32_t most : {1000u, 128u, 7u}) {
         const ChunkedGroom chunked = make_chunked_groom(groom, most);
         ASSERT_EQ(chunked.generator.profiles.count, whole.profiles.count);
@@ -113,14 +116,11 @@ void expect_chunks_of_the_whole(const Groom& groom) {
             strands += own.strands;
             for (std::uint32_t i = 0; i < own.strands; ++i) {
                 const std::uint32_t id = own.id_of(i);
-                const auto& ids = all.ids;
-                const std::size_t at =
-                    ids.empty() ? id : std::ranges::lower_bound(ids, id) - ids.begin();
-                const std::size_t size = own.points_per_strand * sizeof(Point4f);
-                ASSERT_LT(at, all.strands);
-                ASSERT_EQ(std::memcmp(&own.points[i * own.points_per_strand],
-                                      &all.points[at * own.points_per_strand], size),
-                          0)
+                ASSERT_TRUE(place.contains(id));
+                const auto mine = own.of_strand(own.points, i),
+                           theirs = all.of_strand(all.points, place[id]);
+                ASSERT_EQ(mine.size(), theirs.size());
+                ASSERT_EQ(std::memcmp(mine.data(), theirs.data(), mine.size_bytes()), 0)
                     << most << ' ' << id;
             }
         }
@@ -151,8 +151,8 @@ TEST(ChunkBound, HoldsItsStrandsTightly) {
                 .blend = named.blend, .basis = basis, .taper = {0.05f, 0.01f}};
             const Curves curves = expand(hair.binding, hair.profiles, settings);
             const Chunks chunks = chunks_of(hair.binding.roots.positions, 100);
-            const ChunkCheck check =
-                check_chunks(hair.binding, hair.profiles, curves, settings, chunks);
+            const ChunkCheck check = check_chunks(
+                hair.binding, hair.classed(settings.blend), curves, settings, chunks);
             EXPECT_EQ(check.chunks, 6u);
             EXPECT_TRUE(check.pass()) << named.name << ' ' << chunks_line(check);
             // Of boxes some 10 cm a side: hulls of segments that turn by up to a third of
@@ -163,15 +163,33 @@ TEST(ChunkBound, HoldsItsStrandsTightly) {
     }
 }
 
+/// One by one, where nothing else hides an end, and coarsely cut.
+TEST(ChunkBound, HoldsEachStrandByItself) {
+    for (const BlendName& named : kBlendNames) {
+        for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
+            for (const int n : {1, 2, 4, 8}) {
+                const MadeHair hair(60, n, 7, 4, 4, n < 4 ? 0.1 : 0.5);
+                const ExpandSettings settings{.blend = named.blend, .basis = basis};
+                const Curves curves = expand(hair.binding, hair.profiles, settings);
+                const Chunks chunks = chunks_of(hair.binding.roots.positions, 1);
+                const ChunkCheck check = check_chunks(
+                    hair.binding, hair.classed(settings.blend), curves, settings, chunks);
+                EXPECT_EQ(check.chunks, 60u);
+                EXPECT_TRUE(check.pass()) << named.name << ' ' << chunks_line(check);
+            }
+        }
+    }
+}
+
 TEST(ChunkBound, TheCheckSeesAStrandOutsideAndAnotherStrand) {
     const MadeHair hair(200, 12, 8);
     const Chunks chunks = chunks_of(hair.binding.roots.positions, 50);
     Curves curves = expand(hair.binding, hair.profiles, {});
-    curves.points[5 * curves.points_per_strand + 7].x += 40;
-    curves.points[6 * curves.points_per_strand + 7].y =
-        std::nextafter(curves.points[6 * curves.points_per_strand + 7].y, 1e9f);
+    curves.points[5 * curves.points_of(0) + 7].x += 40;
+    curves.points[6 * curves.points_of(0) + 7].y =
+        std::nextafter(curves.points[6 * curves.points_of(0) + 7].y, 1e9f);
     const ChunkCheck check =
-        check_chunks(hair.binding, hair.profiles, curves, {}, chunks);
+        check_chunks(hair.binding, hair.classed(Blend::detail), curves, {}, chunks);
     EXPECT_EQ(check.outside, 1u);
     EXPECT_EQ(check.unlike, 2u);
     EXPECT_FALSE(check.pass());
@@ -184,9 +202,9 @@ TEST(ChunkBound, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
     const Mat3 turn = Eigen::AngleAxisd(0.5, Vec3::UnitY()).toRotationMatrix();
     for (Mat3& frame : later.root_frames) frame = turn * frame;
     const auto profiles = guide_profiles<float>(later, hair.profiles.count);
-    ChunkBound bound =
-        chunk_bound(hair.binding, hair.profiles, hair.kernel(Blend::detail), {});
-    bound.extend(chunk_bound(hair.binding, profiles, {}, {}));
+    ChunkBound bound = chunk_bound(hair.binding, hair.classed(Blend::detail), {});
+    bound.extend(chunk_bound(
+        hair.binding, one_class(profiles, hair.standing.normals, Blend::detail), {}));
     const Eigen::AlignedBox3d box = bound.box().cast<double>();
     const Curves a = expand(hair.binding, hair.profiles, {});
     const Curves b = expand(hair.binding, profiles, {});
@@ -202,7 +220,7 @@ TEST(ChunkBound, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
     }
     // And the first time alone does not hold the second: the test can fail.
     const Eigen::AlignedBox3f first =
-        chunk_bound(hair.binding, hair.profiles, hair.kernel(Blend::detail), {}).box();
+        chunk_bound(hair.binding, hair.classed(Blend::detail), {}).box();
     EXPECT_FALSE(first.contains(bounds(b)));
 }
 
@@ -218,7 +236,7 @@ TEST(ChunkBound, ReachHoldsEveryBlendOfTheChunk) {
             EXPECT_TRUE(reach.contains(bounds(expand_chunk(chunked, c)))) << named.name;
             const Binding binding = bind_chunk(chunked, c);
             EXPECT_TRUE(reach.contains(
-                chunk_bound(binding, chunked.generator.profiles, {}, groom.expand)
+                chunk_bound(binding, rest_guides(chunked.generator), groom.expand)
                     .box()));
         }
     }
@@ -226,8 +244,9 @@ TEST(ChunkBound, ReachHoldsEveryBlendOfTheChunk) {
 
 TEST(ChunkBound, OfNoStrandsIsEmpty) {
     const MadeHair hair(10, 8, 1);
-    EXPECT_TRUE(
-        chunk_bound(picked(hair.binding, {}), hair.profiles, {}, {}).box().isEmpty());
+    EXPECT_TRUE(chunk_bound(picked(hair.binding, {}), hair.classed(Blend::detail), {})
+                    .box()
+                    .isEmpty());
 }
 
 TEST(Binding, PickedChildrenKeepTheirBits) {
@@ -238,7 +257,7 @@ TEST(Binding, PickedChildrenKeepTheirBits) {
     const Curves all = expand(hair.binding, hair.profiles, {});
     const Curves some = expand(own, hair.profiles, {});
     for (std::size_t i = 0; i < which.size(); ++i) {
-        const std::size_t n = all.points_per_strand;
+        const std::size_t n = all.points_of(0);
         EXPECT_EQ(std::memcmp(&some.points[i * n], &all.points[which[i] * n],
                               n * sizeof(Point4f)),
                   0);

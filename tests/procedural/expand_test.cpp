@@ -81,8 +81,8 @@ TEST(Expand, NumbersItsSegments) {
     for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
         const Curves curves = expand(hair.binding, hair.profiles, {.basis = basis});
         const std::uint32_t points = basis == CurveBasis::bspline ? 11 : 9;
-        EXPECT_EQ(curves.segments_per_strand, 8u);
-        EXPECT_EQ(curves.points_per_strand, points);
+        EXPECT_EQ(curves.classes[0].segments, 8u);
+        EXPECT_EQ(curves.points_of(0), points);
         ASSERT_EQ(curves.points.size(), 9 * points);
         ASSERT_EQ(curves.tangents.size(), basis == CurveBasis::hermite ? 9 * points : 0u);
         ASSERT_EQ(curves.segments.size(), 72u);
@@ -113,9 +113,9 @@ TEST(Expand, RadiiTaperEvenlyFromRootToTip) {
                                      {.basis = basis, .taper = {0.01f, 0.002f}});
         const int before = basis == CurveBasis::bspline ? 1 : 0;
         for (std::uint32_t i = 0; i < 3; ++i) {
-            for (std::uint32_t j = 0; j < curves.points_per_strand; ++j) {
+            for (std::uint32_t j = 0; j < curves.points_of(0); ++j) {
                 // A B-spline of evenly spaced values is linear: the same radii serve.
-                const std::size_t at = i * curves.points_per_strand + j;
+                const std::size_t at = i * curves.points_of(0) + j;
                 EXPECT_NEAR(curves.points[at].w, 0.01 - 0.0008 * (int(j) - before), 2e-9);
                 if (basis == CurveBasis::hermite) {
                     EXPECT_NEAR(curves.tangents[at].w, -0.0008, 1e-10);

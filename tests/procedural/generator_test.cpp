@@ -32,8 +32,10 @@ CheckReport check_of(const Generator& generator, Blend blend) {
     const Curves curves = expand(generator.binding, generator.profiles, settings);
     CheckTolerances tolerances;
     tolerances.distance = generator.groom.tolerance;
-    return check(generator.binding, generator.source.guides, generator.profiles, curves,
-                 blend, generator.groom.bind.length_scale, tolerances);
+    const ClassedGuides alike =
+        one_class(generator.profiles, generator.binding.guide_normals, blend);
+    return check(generator.binding, generator.source.guides, alike, curves, blend,
+                 generator.groom.bind.length_scale, tolerances);
 }
 
 double median(std::vector<double> values) {

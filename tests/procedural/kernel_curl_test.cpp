@@ -118,7 +118,7 @@ TEST_P(CurlKernel, ControlPointsAreThoseOfItsPlaces) {
             for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
                 const Curves curves = expand(hair.binding, hair.profiles,
                                              {.blend = GetParam(), .basis = basis});
-                const std::size_t points = curves.points_per_strand;
+                const std::size_t points = curves.points_of(0);
                 std::vector<Point4f> own(points), tangents(points);
                 for (std::size_t i = 0; i < 50; ++i) {
                     const auto places = std::span(states).subspan(i * count, count);

@@ -42,6 +42,10 @@ Sum blended(const MadeHair& hair, const KernelGuides& guides, std::size_t i,
     return sum;
 }
 
+/// Places beyond an end have 7 and 17 places in them, so c[0] has
+/// (54 + 10 * 8 + 18) / 36 < 4.3, c[1] 2.3, and the outermost, 6 p - 4 c[0] - c[1], this:
+constexpr double kMostTaps = 26;
+
 TEST(PositionKernel, SumsItsGuidesControlPointsOnEveryTarget) {
     for (const int intervals : {1, 2, 7, 13, 14, 29, 45}) {
         const MadeHair hair(100, intervals, 1);
@@ -50,7 +54,7 @@ TEST(PositionKernel, SumsItsGuidesControlPointsOnEveryTarget) {
         on_every_target([&] {
             const Curves curves =
                 expand(hair.binding, hair.profiles, {.blend = Blend::position});
-            const std::size_t points = curves.points_per_strand;
+            const std::size_t points = curves.points_of(0);
             for (std::size_t at = 0; at < curves.points.size(); ++at) {
                 const Sum sum = blended(hair, guides, at / points, at % points);
                 const Vec3 root =
@@ -81,22 +85,22 @@ TEST(PositionKernel, AGuidesRowsAreItsScalarControlPoints) {
                              turn * hair.profiles.position(g, i)};
             }
             const float length = hair.profiles.lengths[g];
-            bspline_points(states, length / float(intervals), Vec3f::Zero(), {}, points);
+            bspline_points(states, length / float(intervals), Vec3f::Zero(), {}, points,
+                           Ends::parabola);
             for (std::size_t j = 0; j < points.size(); ++j) {
                 const float* row = &guides.points[g * 3 * guides.point_stride + j];
                 const Vec3 c(row[0], row[guides.point_stride],
                              row[2 * guides.point_stride]);
-                // Places are good to 4 half ulps of the length; the outermost points have
-                // up to (6 + 5 * 76 / 36) of them, and two places beyond the end, which
-                // lie on a helix that is known to 2e-6 radians.
-                const double bound = length * (17 * 8 * kHalfUlp + 17 * 2e-6 / intervals);
+                // Places are good to 4 half ulps of the length, and each of the two
+                // roundings to as much; the outermost points have kMostTaps of them.
+                const double bound = length * kMostTaps * 8 * kHalfUlp;
                 EXPECT_LT((place(points[j]) - c).norm(), bound) << g << ", " << j;
             }
         }
     }
 }
 
-TEST(PositionKernel, BetweenTheEndsItIsTheScalarStrand) {
+TEST(PositionKernel, IsTheScalarStrand) {
     const MadeHair hair(300, 14, 3);
     Curves scalar;
     expand(hair.binding, hair.profiles, {}, {.blend = Blend::position}, scalar);
@@ -104,11 +108,12 @@ TEST(PositionKernel, BetweenTheEndsItIsTheScalarStrand) {
         const Curves fast =
             expand(hair.binding, hair.profiles, {.blend = Blend::position});
         for (std::size_t i = 0; i < 300; ++i) {
-            // Both round places of up to the strand's length, about 12 times, and what
-            // stands on the plane: taps sum to 76 / 36.
-            const double bound =
-                kHalfUlp * (2 * 12 * 76.0 / 36 * hair.binding.lengths[i] + 4 * 32);
-            for (std::size_t j = 3; j < 14; ++j) {
+            for (std::size_t j = 0; j < 17; ++j) {
+                // Both round places of up to the strand's length, about 12 times, and
+                // what stands on the plane.
+                const double taps = j < 3 || j > 13 ? kMostTaps : 76.0 / 36;
+                const double bound =
+                    kHalfUlp * (2 * 12 * taps * hair.binding.lengths[i] + 4 * 32);
                 const std::size_t at = i * 17 + j;
                 EXPECT_LT((place(fast.points[at]) - place(scalar.points[at])).norm(),
                           bound);
@@ -147,9 +152,9 @@ TEST(NumberSegments, NumbersThemOnEveryTarget) {
                     number_segments(first, count, intervals + more, intervals,
                                     numbers.data(), count == 5);
                     for (std::size_t at = 0; at < count * intervals; ++at) {
-                        ASSERT_EQ(numbers[at],
-                                  (first + at / intervals) * (intervals + more) +
-                                      at % intervals);
+                        ASSERT_EQ(
+                            numbers[at],
+                            first + at / intervals * (intervals + more) + at % intervals);
                     }
                     EXPECT_EQ(numbers.back(), 7u);
                 }

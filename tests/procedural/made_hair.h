@@ -80,6 +80,9 @@ struct MadeHair {
     KernelGuides kernel(Blend blend) const {
         return kernel_guides(profiles, standing.normals, blend);
     }
+    ClassedGuides classed(Blend blend) const {
+        return one_class(profiles, standing.normals, blend);
+    }
 };
 
 }  // namespace lancret::test

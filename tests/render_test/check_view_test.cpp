@@ -33,7 +33,7 @@ struct Ribbon {
     }
     explicit Ribbon(float z = 0)
         : curves(strand(z)), ground(plane()), geometry(curves, &ground) {
-        view.values = {2, true, {1, 3}};
+        view.values = {true, {1, 3}, {0, 2}};
         view.scale.low = 0;
         view.scale.high = 4;
         scene.geometry = &geometry;

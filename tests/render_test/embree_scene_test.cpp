@@ -110,10 +110,9 @@ TEST(HairScene, PrimitivesNameTheirStrand) {
         seen.insert(hit->strand);
         // The hit lies within its strand's own control points' box, grown by the radius.
         Eigen::AlignedBox3f box;
-        for (std::uint32_t j = 0; j < curves.points_per_strand; ++j)
+        for (std::uint32_t j = 0; j < curves.points_of(0); ++j)
             box.extend(
-                curves.points[std::size_t(hit->strand) * curves.points_per_strand + j]
-                    .xyz());
+                curves.points[std::size_t(hit->strand) * curves.points_of(0) + j].xyz());
         EXPECT_LT(box.exteriorDistance(hit->position), 2 * hit->radius);
     }
     EXPECT_GT(seen.size(), 50u);
@@ -175,7 +174,7 @@ TEST(HairScene, AnEmptySceneHasNothingToHit) {
 
 TEST(HairScene, RefusesSegmentsOutOfTheirOrder) {
     Curves curves = straight(0.1f);
-    ASSERT_GE(curves.segments_per_strand, 2u);
+    ASSERT_GE(curves.classes[0].segments, 2u);
     std::swap(curves.segments[0], curves.segments[1]);
     EXPECT_THROW(HairScene{curves}, std::invalid_argument);
 }

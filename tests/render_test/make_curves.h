@@ -20,19 +20,17 @@ inline Curves curves_through(const std::vector<std::vector<Vec3f>>& rows, float 
     Curves curves;
     curves.basis = basis;
     curves.shape = shape;
-    curves.strands = std::uint32_t(rows.size());
     const std::uint32_t count = rows.empty() ? 2 : std::uint32_t(rows[0].size());
     const bool hermite = basis == CurveBasis::hermite;
-    curves.segments_per_strand = count - 1;
-    curves.points_per_strand = hermite ? count : count + 2;
-    curves.points = Buffer<Point4f>(rows.size() * curves.points_per_strand);
+    curves.add_class(std::uint32_t(rows.size()), count - 1);
+    curves.points = Buffer<Point4f>(curves.point_count());
     curves.tangents = Buffer<Point4f>(hermite ? curves.points.size() : 0);
-    curves.segments = Buffer<std::uint32_t>(rows.size() * curves.segments_per_strand);
-    std::size_t out = 0, segment = 0;
+    curves.segments = Buffer<std::uint32_t>(curves.segment_count());
+    std::size_t out = 0;
+    for (std::uint32_t j = 0; j < curves.segments.size(); ++j)
+        curves.segments[j] = curves.place_of(j).point;
     for (std::uint32_t i = 0; i < curves.strands; ++i) {
-        for (std::uint32_t j = 0; j < curves.segments_per_strand; ++j)
-            curves.segments[segment++] = i * curves.points_per_strand + j;
-        for (std::uint32_t j = 0; j < curves.points_per_strand; ++j) {
+        for (std::uint32_t j = 0; j < curves.points_of(i); ++j) {
             const auto& row = rows[i];
             const auto point = [&](int k) -> Vec3f {
                 const int last = int(count) - 1;

@@ -16,8 +16,7 @@ namespace {
 Curves moved(const Curves& from, const Vec3f& way, float wider = 0) {
     Curves out;
     out.basis = from.basis, out.shape = from.shape, out.strands = from.strands;
-    out.segments_per_strand = from.segments_per_strand;
-    out.points_per_strand = from.points_per_strand;
+    out.classes = from.classes;
     const auto copy = [](auto& to, const auto& source) {
         to = std::remove_cvref_t<decltype(to)>(source.size());
         std::ranges::copy(source.span(), to.data());

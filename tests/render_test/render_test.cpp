@@ -81,7 +81,7 @@ TEST(Render, BrokenStrandsNeitherCrashNorSpoilThePicture) {
     Groom groom;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
-    const std::uint32_t per = groom.curves.points_per_strand;
+    const std::uint32_t per = groom.curves.points_of(0);
     const auto spoil = [&](std::uint32_t strand, const auto& change) {
         for (std::uint32_t j = 0; j < per; ++j)
             change(groom.curves.points[std::size_t(strand) * per + j], j);

@@ -155,8 +155,8 @@ TEST(Ribbon, WhiteBladesInAnEvenSkyAreAsBrightAsTheSky) {
     Curves curves = curves_through(rows, 0.2f, CurveShape::ribbon);
     curves.normals = Buffer<Point4f>(curves.points.size());
     for (std::size_t i = 0; i < curves.points.size(); ++i) {
-        const float a = float(i / curves.points_per_strand) +
-                        0.1f * float(i % curves.points_per_strand);
+        const float a =
+            float(i / curves.points_of(0)) + 0.1f * float(i % curves.points_of(0));
         curves.normals[i] = {std::cos(a), 0, std::sin(a), 0};
     }
     const HairScene geometry(curves);

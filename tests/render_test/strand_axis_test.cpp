@@ -12,10 +12,8 @@ Curves random_strand(CurveBasis basis) {
     const bool hermite = basis == CurveBasis::hermite;
     Curves curves;
     curves.basis = basis;
-    curves.strands = 1;
-    curves.segments_per_strand = 4;
-    curves.points_per_strand = hermite ? 5 : 7;
-    curves.points = Buffer<Point4f>(curves.points_per_strand);
+    curves.add_class(1, 4);
+    curves.points = Buffer<Point4f>(curves.point_count());
     curves.tangents = Buffer<Point4f>(hermite ? 5 : 0);
     curves.segments = Buffer<std::uint32_t>(4);
     std::mt19937 random(1);

@@ -14,6 +14,16 @@ nlohmann::json json_of(const std::string& file) {
     return nlohmann::json::parse(read_bytes(file));
 }
 
+/// Of strands of n intervals and n + `more` points.
+std::size_t points_of(const nlohmann::json& classes, std::size_t more) {
+    std::size_t out = 0;
+    for (const nlohmann::json& each : classes) {
+        out += each.at("strands").get<std::size_t>() *
+               (each.at("intervals").get<std::size_t>() + more);
+    }
+    return out;
+}
+
 TEST(Chunks, ExpandGrowsAllOfThemAndKeepsNone) {
     const SmallGrooms folder;
     const std::string stats = folder.at("stats.json");
@@ -25,7 +35,7 @@ TEST(Chunks, ExpandGrowsAllOfThemAndKeepsNone) {
     const nlohmann::json json = json_of(stats);
     EXPECT_EQ(json.at("strands"), 1000);
     EXPECT_EQ(json.at("chunks"), 16);  // 1000 / 64, rounded up
-    EXPECT_EQ(json.at("points"), 1000 * (json.at("intervals").get<int>() + 3));
+    EXPECT_EQ(json.at("points"), points_of(json.at("classes"), 3));
     // 12 bytes of a place, 4 of an id, and where each chunk begins.
     EXPECT_EQ(json.at("bytes").at("places"), 12000);
     EXPECT_EQ(json.at("bytes").at("chunks"), 4000 + 17 * 4);
@@ -50,25 +60,36 @@ TEST(Chunks, CheckProvesTheirBoxes) {
 TEST(Adapt, WritesStrandsOfTheirOwnNumbersOfPoints) {
     const SmallGrooms folder;
     const std::string stats = folder.at("stats.json"), hair = folder.at("a.hair");
-    const CommandRun run = lancret({"expand", folder.made, "--strands", "500", "--adapt",
-                                    "--stats", stats, "-o", hair});
+    const CommandRun run = lancret(
+        {"expand", folder.made, "--strands", "500", "--stats", stats, "-o", hair});
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    const nlohmann::json json = json_of(stats);
-    std::size_t strands = 0, control_points = 0, places = 0;
-    for (const nlohmann::json& each : json.at("classes")) {
-        const std::size_t n = each.at("strands"), intervals = each.at("intervals");
-        strands += n;
-        control_points += n * (intervals + 3);
-        places += n * (intervals + 1);
-    }
-    EXPECT_EQ(strands, 500);
-    EXPECT_EQ(json.at("points"), control_points);
-    EXPECT_LE(json.at("farthest_cm"), 0.03);  // the groom's tolerance
-    EXPECT_EQ(read_hair(hair).points.size(), places);
-    EXPECT_THAT(lancret({"expand", folder.made, "--adapt", "-o", folder.at("a.txt")}),
-                refuses_with("--adapt"));
-    EXPECT_THAT(lancret({"expand", folder.made, "--adapt", "--chunks"}),
-                refuses_with("--adapt"));
+    const nlohmann::json json = json_of(stats), classes = json.at("classes");
+    EXPECT_EQ(points_of(classes, 1) - points_of(classes, 0), 500);
+    EXPECT_EQ(json.at("points"), points_of(classes, 3));
+    EXPECT_LT(json.at("points"), json.at("points_alike"));
+    EXPECT_EQ(read_hair(hair).points.size(), points_of(classes, 1));
+}
+
+TEST(Adapt, DoesNotWhereAllStrandsAreToBeAlike) {
+    const SmallGrooms folder;
+    const std::string stats = folder.at("stats.json");
+    const std::string toml = folder.file("alike.toml",
+                                         "[guides]\nsegments = 6\n[guides.made]\nstrands "
+                                         "= 40\n[strands]\nadapt = false\n");
+    const auto expect_alike = [&](std::vector<std::string> command) {
+        for (const char* more : {"--strands", "500", "--stats", stats.c_str()}) {
+            command.emplace_back(more);
+        }
+        const CommandRun run = lancret(command);
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        const nlohmann::json json = json_of(stats);
+        EXPECT_EQ(json.at("classes").size(), 1);
+        EXPECT_EQ(json.at("points"), json.at("points_alike"));
+    };
+    expect_alike({"expand", folder.made, "--no-adapt"});
+    expect_alike({"expand", folder.made, "--intervals", "9"});
+    expect_alike({"expand", folder.made, "-o", folder.at("a.txt")});
+    expect_alike({"expand", toml});
 }
 
 TEST(Density, GrowsAsManyStrandsAsTheirRanksSay) {
