@@ -170,7 +170,8 @@ int preview(const PreviewOptions& options) {
              {"still", still},
              {"seconds",
               {{"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
-        print_picture(outputs[i].picture, generator, cost);
+        print_picture(outputs[i].picture, generator, moments.front().curves.strands,
+                      cost);
         std::fflush(stdout);
     }
     if (sheet) write_image(options.contact_sheet, sheet->image);
