@@ -1,8 +1,6 @@
-
 #include <optional>
 
 #include "guides/cancel.h"
-
 #include "guides/super_helix_fit.h"
 
 namespace lancret {

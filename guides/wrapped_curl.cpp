@@ -1,6 +1,5 @@
 #include "guides/wrapped_curl.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

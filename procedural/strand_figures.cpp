@@ -33,6 +33,7 @@ std::array<double, kQuantiles> quantiles(std::vector<Weighted>& values) {
     tbb::parallel_sort(values.begin(), values.end(), [](const auto& a, const auto& b) {
         return a.value != b.value ? a.value < b.value : a.weight < b.weight;
     });
+    stop_if_cancelled();
     double total = 0;
     for (const Weighted& v : values) total += v.weight;
     std::array<double, kQuantiles> out{};
@@ -75,6 +76,7 @@ DistributionFigures compared(const StrandSamples& truth, const StrandSamples& ma
         for (std::size_t i = 0; i < from.size(); ++i) add(from.strand(i), into);
     };
     tbb::parallel_invoke([&] { fill(truth, real); }, [&] { fill(made, other); });
+    stop_if_cancelled();
     return compare(real, other);
 }
 
