@@ -12,6 +12,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "guides/cancel.h"
+
 namespace lancret {
 
 namespace {
@@ -141,7 +143,8 @@ ClosestPoint::ClosestPoint(const TriangleMesh& mesh) : tree_(std::make_unique<Tr
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(tree_->scene, geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(tree_->scene);
+    // Of a tree that was not finished Embree reads what is not there.
+    uncut([&] { rtcCommitScene(tree_->scene); });
     if (rtcGetDeviceError(tree_->device) != RTC_ERROR_NONE) {
         throw std::runtime_error("ClosestPoint: Embree cannot build its tree");
     }

@@ -1,12 +1,12 @@
 #include "procedural/check.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "guides/cancel.h"
 #include "procedural/check_strand.h"
 
 namespace lancret {
@@ -171,7 +171,7 @@ CheckReport check(const Binding& binding, const Guides& guides,
                    const GuideProfiles<float>& profiles = classed.profiles[c];
                    const std::vector<GuideValue> values =
                        guide_values(guides, profiles.count);
-                   tbb::parallel_for(Range(first, last, 256), [&](const Range& range) {
+                   cancellable_for(Range(first, last, 256), [&](const Range& range) {
                        std::vector<MeasuredInterval> measured;
                        each_strand(
                            binding, profiles, classed.kernel(c), blend, range.begin(),

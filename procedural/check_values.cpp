@@ -1,12 +1,12 @@
 #include "procedural/check_values.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "guides/cancel.h"
 #include "procedural/check_strand.h"
 
 namespace lancret {
@@ -40,7 +40,7 @@ StrandValues values_of(const Binding& binding, const ClassedGuides& guides, Blen
                     out.values[out.first[i] + j] = finite(figure(states, j));
                 }
             };
-            tbb::parallel_for(Range(first, last, 256), [&](const Range& range) {
+            cancellable_for(Range(first, last, 256), [&](const Range& range) {
                 each_strand(binding, guides.profiles[c], guides.kernel(c), blend,
                             range.begin(), range.end(), put);
             });

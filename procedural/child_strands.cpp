@@ -1,9 +1,9 @@
 #include "procedural/child_strands.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <numeric>
+
+#include "guides/cancel.h"
 
 namespace lancret {
 
@@ -44,14 +44,13 @@ Strands child_strands(const Binding& binding, const ClassedGuides& guides,
         }
     };
     using Range = tbb::blocked_range<std::size_t>;
-    each_class(guides.classes, binding,
-               [&](std::size_t c, std::size_t first, std::size_t last) {
-                   tbb::parallel_for(
-                       Range(first, last, settings.chunk), [&](const Range& chunk) {
-                           each_strand(binding, guides.profiles[c], guides.kernel(c),
-                                       settings.blend, chunk.begin(), chunk.end(), put);
-                       });
-               });
+    each_class(
+        guides.classes, binding, [&](std::size_t c, std::size_t first, std::size_t last) {
+            cancellable_for(Range(first, last, settings.chunk), [&](const Range& chunk) {
+                each_strand(binding, guides.profiles[c], guides.kernel(c), settings.blend,
+                            chunk.begin(), chunk.end(), put);
+            });
+        });
     return out;
 }
 

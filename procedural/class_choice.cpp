@@ -1,13 +1,11 @@
 #include "procedural/class_choice.h"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "guides/cancel.h"
 #include "procedural/emission.h"
 
 namespace lancret {
@@ -220,7 +218,7 @@ void refine_classes(StrandClasses& classes, const Binding& sample, const Guides&
         }
     }
     const float limit = float(kSampleShare * tolerance);
-    tbb::parallel_for(std::uint32_t(0), std::uint32_t(guides.size()), [&](auto g) {
+    cancellable_for(std::uint32_t(0), std::uint32_t(guides.size()), [&](auto g) {
         const Binding& from = followers[g].empty() ? alone : sample;
         const std::vector<std::uint32_t> own =
             followers[g].empty() ? std::vector<std::uint32_t>{g} : followers[g];
@@ -259,7 +257,7 @@ AdaptedReport adapted_report(const Binding& binding, const ClassedGuides& guides
                              const GuideProfiles<float>& fine, double tolerance,
                              const ExpandSettings& settings) {
     using Range = tbb::blocked_range<std::size_t>;
-    return tbb::parallel_reduce(
+    return cancellable_reduce(
         Range(0, binding.size(), 64), AdaptedReport(),
         [&](const Range& range, AdaptedReport out) {
             for (std::size_t i = range.begin(); i < range.end(); ++i) {

@@ -51,6 +51,16 @@ Eigen::AlignedBox3f bounds(const Curves& curves) {
             box.extend(p + third - radius).extend(p + third + radius);
         }
     }
+    if (curves.basis != CurveBasis::catmull_rom) return box;
+    for (std::uint32_t i = 0; i < curves.strands; ++i) {
+        const auto strand = curves.of_strand(curves.points, i);
+        for (std::size_t j = 1; j + 1 < strand.size(); ++j) {
+            const Vec3f p = strand[j].xyz(), radius = Vec3f::Constant(strand[j].w);
+            const Vec3f sixth = (strand[j + 1].xyz() - strand[j - 1].xyz()) / 6;
+            box.extend(p - sixth - radius).extend(p - sixth + radius);
+            box.extend(p + sixth - radius).extend(p + sixth + radius);
+        }
+    }
     return box;
 }
 

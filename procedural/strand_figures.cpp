@@ -1,6 +1,5 @@
 #include "procedural/strand_figures.h"
 
-#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/parallel_sort.h>
 
@@ -8,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "guides/cancel.h"
 
 namespace lancret {
 
@@ -32,6 +33,7 @@ std::array<double, kQuantiles> quantiles(std::vector<Weighted>& values) {
     tbb::parallel_sort(values.begin(), values.end(), [](const auto& a, const auto& b) {
         return a.value != b.value ? a.value < b.value : a.weight < b.weight;
     });
+    stop_if_cancelled();
     double total = 0;
     for (const Weighted& v : values) total += v.weight;
     std::array<double, kQuantiles> out{};
@@ -74,6 +76,7 @@ DistributionFigures compared(const StrandSamples& truth, const StrandSamples& ma
         for (std::size_t i = 0; i < from.size(); ++i) add(from.strand(i), into);
     };
     tbb::parallel_invoke([&] { fill(truth, real); }, [&] { fill(made, other); });
+    stop_if_cancelled();
     return compare(real, other);
 }
 
@@ -164,7 +167,7 @@ StrandFigures strand_figures(const StrandSamples& truth, std::span<const double>
     std::vector<double> rms(size), place(size), tip(size);
     const LowPass low_pass(truth.steps);
     using Range = tbb::blocked_range<std::size_t>;
-    tbb::parallel_for(Range(0, size, 64), [&](const Range& range) {
+    cancellable_for(Range(0, size, 64), [&](const Range& range) {
         std::vector<Vec3> a(truth.steps + 1), b(truth.steps + 1);
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const auto real = truth.strand(i), other = made.strand(i);

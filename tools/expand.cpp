@@ -49,9 +49,9 @@ int expand_groom(const ExpandOptions& options) {
     }
     const ChosenFrames chosen = chosen_frames(options.frame, job, false);
     Generator generator = run_generator(job.groom);
-    const RestPlaces rest = prepare_frames(generator, chosen, job);
+    const RestPlaces rest = prepare_frames(generator, chosen);
     const ClassedGuides guides =
-        go_to_frame(generator, rest, chosen, job, chosen.frames[0]).classed;
+        go_to_frame(generator, rest, chosen, chosen.frames[0]).classed;
     Stopwatch watch;
     const Curves curves = expand(generator.binding, guides, job.groom.expand);
     const double seconds = watch.lap();

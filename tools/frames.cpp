@@ -8,9 +8,6 @@
 #include <regex>
 
 #include "guides/errors.h"
-#include "guides/guides_between.h"
-#include "procedural/class_choice.h"
-#include "procedural/emission.h"
 
 namespace lancret {
 
@@ -51,10 +48,7 @@ std::pair<int, int> parse_frames(const std::string& text, const std::string& whe
 
 ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all) {
     ChosenFrames out;
-    const bool named = !job.groom.guides_file.empty();
-    if (named || job.groom.strands_file.extension() == ".h5") {
-        out.cache = named ? job.groom.guides_file : job.groom.strands_file;
-    }
+    static_cast<GroomTimes&>(out) = groom_times(job.groom, job.pose_at);
     const char* const option = options.frame ? "--frame" : "--frames";
     if (out.cache.empty()) {
         if (options.given()) {
@@ -65,7 +59,6 @@ ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all
         out.frames = {0};
         return out;
     }
-    out.info = guide_cache_info(out.cache);
     const int first = out.first(), last = out.last();
     std::pair<double, double> range{first, all ? last : first};
     if (options.frame) range = {*options.frame, *options.frame};
@@ -79,111 +72,6 @@ ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all
                           : fmt::format("frames {} to {}", first, last)));
     }
     for (double f = range.first; f <= range.second; ++f) out.frames.push_back(f);
-    return out;
-}
-
-namespace {
-
-/// Brings `generator`'s binding to a frame, and says the guides and where they stand.
-void pose_to(Generator& generator, const RestPlaces& rest, const ChosenFrames& chosen,
-             const Job& job, double frame, FrameState& out) {
-    out.guides = chosen.cache.empty() ? generator.source.guides
-                                      : guides_at(chosen, rest, job, frame);
-    if (!chosen.cache.empty() && job.pose_at) out.pose = job.pose_at(frame);
-    out.scalp_roots = pose_binding(generator.binding, rest, out.pose);
-}
-
-/// visit(frame, guides) for frames spread over the whole cache; `generator`'s sample is
-/// where it is then.
-template <class Visit>
-void each_measured_frame(Generator& generator, const ChosenFrames& chosen, const Job& job,
-                         const Visit& visit) {
-    constexpr int kMeasured = 13;
-    // Measured on the children that stand for all of them, at any density.
-    std::swap(generator.binding, generator.sample);
-    const RestPlaces rest = rest_places(generator.binding, generator.source);
-    const int n = std::min(kMeasured, chosen.info.frames);
-    for (int i = 0; i < n; ++i) {
-        const int frame =
-            chosen.info.first_frame + (chosen.info.frames - 1) * i / std::max(n - 1, 1);
-        FrameState state;
-        pose_to(generator, rest, chosen, job, frame, state);
-        visit(frame, state.guides);
-    }
-    pose_binding(generator.binding, rest, RigidPose{});
-    std::swap(generator.binding, generator.sample);
-}
-
-}  // namespace
-
-RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
-                          const Job& job) {
-    if (chosen.cache.empty() || chosen.info.frames < 2 || job.groom.intervals) {
-        return rest_places(generator.binding, generator.source);
-    }
-    const Groom& groom = job.groom;
-    int intervals = generator.profiles.count;
-    each_measured_frame(generator, chosen, job, [&](int frame, const Guides& guides) {
-        try {
-            intervals = std::max(
-                intervals, intervals_within(generator.binding, guides, groom.expand.blend,
-                                            groom.tolerance, groom.expand.basis));
-        } catch (const InputError& error) {
-            throw InputError(fmt::format("{}: frame {}: {}", chosen.cache.string(), frame,
-                                         error.what()));
-        }
-    });
-    if (intervals != generator.profiles.count) {
-        generator.profiles = guide_profiles<float>(generator.source.guides, intervals);
-    }
-    generator.classes = {{intervals}};
-    if (groom.adapts()) {
-        StrandClasses all = coarsest_classes(generator.source.guides, intervals);
-        const auto refine = [&](const Binding& sample, const Guides& guides) {
-            refine_classes(all, sample, guides, groom.tolerance, groom.expand);
-        };
-        refine(generator.sample, generator.source.guides);
-        each_measured_frame(generator, chosen, job, [&](int, const Guides& guides) {
-            refine(generator.binding, guides);
-        });
-        generator.classes = used_classes(all);
-    }
-    generator.binding = in_class_order(std::move(generator.binding), generator.classes);
-    return rest_places(generator.binding, generator.source);
-}
-
-Guides guides_at(const ChosenFrames& chosen, const RestPlaces& rest, const Job& job,
-                 double frame) {
-    const auto read = [&](int f) {
-        return read_guide_cache(chosen.cache, f - chosen.first());
-    };
-    const int whole = int(std::floor(frame));
-    const double share = frame - whole;
-    if (share == 0) return read(whole);
-    const Guides from = read(whole), to = read(whole + 1);
-    std::optional<Guides> before, after;
-    if (whole > chosen.first()) before = read(whole - 1);
-    if (whole + 1 < chosen.last()) after = read(whole + 2);
-    const GuideKeys keys{&from, &to, before ? &*before : nullptr,
-                         after ? &*after : nullptr};
-    if (!job.pose_at) return guides_between(keys, share);
-    const auto carriers_at = [&](double f) {
-        return carriers(job.pose_at(f), rest.guide_places, from.size());
-    };
-    RootCarriers roots{
-        carriers_at(whole), carriers_at(whole + 1), {}, {}, carriers_at(frame)};
-    if (before) roots.before = carriers_at(whole - 1);
-    if (after) roots.after = carriers_at(whole + 2);
-    return guides_between(keys, share, InTime::frames, &roots);
-}
-
-FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
-                       const ChosenFrames& chosen, const Job& job, double frame) {
-    FrameState out;
-    pose_to(generator, rest, chosen, job, frame, out);
-    out.classed =
-        classed_guides(out.guides, generator.classes, generator.binding.guide_normals,
-                       generator.groom.expand.blend);
     return out;
 }
 

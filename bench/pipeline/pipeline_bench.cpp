@@ -70,7 +70,7 @@ double embree_seconds(const Options& options, std::uint32_t strands) {
     Groom groom = read_groom(toml, options.groom);
     groom.strands = strands;
     Generator generator = make_generator(groom);
-    const Curves curves = expand(generator.binding, generator.profiles, groom.expand);
+    const Curves curves = expand(generator.binding, rest_guides(generator), groom.expand);
     generator.binding = {};
     TriangleMesh nothing;
     nothing.positions = {Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)};
