@@ -91,6 +91,7 @@ void subdivide_root(Root& root) {
         auto chunk = std::make_unique<Chunk>(Chunk{groom, i});
         RtBound bound;
         chunk_bound(*groom, i, bound);
+        if (bound[0] > bound[1]) continue;  // none of its strands are grown
         RiProcedural(chunk.release(), bound, subdivide_chunk, free_chunk);
     }
 }
