@@ -79,7 +79,6 @@ void join_widths(RiCurvesData& data) {
 
 void emit_once(const RiCurvesData& data, const CurvesAtTime& time) {
     const bool hermite = data.basis == LANCRET_HERMITE;
-    const auto guides = "[" + std::to_string(data.neighbours) + "]";
     std::vector<std::string> names;
     std::vector<RtPointer> values;
     // Ri takes what it only reads without const.
@@ -99,7 +98,9 @@ void emit_once(const RiCurvesData& data, const CurvesAtTime& time) {
     }
     for (const Primvar& primvar : data.primvars) {
         std::string name = primvar.declaration;
-        if (const auto at = name.find("[]"); at != name.npos) name.replace(at, 2, guides);
+        if (const auto at = name.find("[]"); at != name.npos) {
+            name.insert(at + 1, std::to_string(data.neighbours));
+        }
         if (primvar.ints.empty()) {
             add(std::move(name), primvar.floats);
         } else {
