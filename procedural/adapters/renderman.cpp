@@ -75,9 +75,9 @@ void subdivide_chunk(RtPointer data, RtFloat detail) {
             lancret_expand(groom.handle.get(), chunk.index, &options, keep_curves, &kept);
         groom.context->messages.print();
         if (kept.error) std::rethrow_exception(kept.error);
-        expect_ok(
-            status,
-            (groom.parameters.file + ", chunk " + std::to_string(chunk.index)).c_str());
+        expect_ok(status,
+                  groom.parameters.file + ", chunk " + std::to_string(chunk.index),
+                  groom.context->messages);
         emit_curves(kept.data, groom.parameters.motion);
     });
 }

@@ -4,6 +4,7 @@
 #include <future>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace lancret {
 namespace {
@@ -30,7 +31,16 @@ std::shared_ptr<Context> shared_context(int threads) {
 
 void Messages::add(RtInt severity, std::string text) {
     const std::lock_guard lock(mutex_);
-    texts_.emplace_back(severity, std::move(text));
+    if (severity == kRiError) {
+        error_ = std::move(text);
+    } else {
+        texts_.emplace_back(severity, std::move(text));
+    }
+}
+
+std::string Messages::take_error() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(error_, {});
 }
 
 void Messages::print() {
@@ -44,14 +54,17 @@ void Messages::print() {
     }
 }
 
-void expect_ok(lancret_status status, const char* call) {
+void expect_ok(lancret_status status, const std::string& what, Messages& messages) {
     constexpr const char* kNames[] = {
         "",          "bad input",           "a wrong call", "out of memory",
         "cancelled", "a mistake in Lancret"};
     if (status == LANCRET_OK) return;
     const bool known = status > 0 && status < int(std::size(kNames));
-    throw std::runtime_error(std::string(call) + ": " +
-                             (known ? kNames[status] : "an unknown status"));
+    std::string text = what + ": " + (known ? kNames[status] : "an unknown status");
+    if (const std::string error = messages.take_error(); !error.empty()) {
+        text += ", " + error;
+    }
+    throw std::runtime_error(text);
 }
 
 Context::Context(int threads) {
@@ -60,11 +73,13 @@ Context::Context(int threads) {
     host.user = &messages;
     host.log = keep_message;
     host.threads = threads;
-    expect_ok(lancret_create(LANCRET_ABI_VERSION, &host, &handle), "lancret_create");
+    expect_ok(lancret_create(LANCRET_ABI_VERSION, &host, &handle), "lancret_create",
+              messages);
 }
 
 OpenGroom::OpenGroom(RendermanParameters given)
-    : parameters(std::move(given)), context(shared_context(parameters.threads)),
+    : parameters(std::move(given)),
+      context(shared_context(parameters.threads)),
       handle(nullptr, lancret_close) {
     std::vector<lancret_parameter> values;
     for (const GroomValue& value : parameters.values) {
@@ -87,10 +102,14 @@ OpenGroom::OpenGroom(RendermanParameters given)
             return lancret_open(context->handle, &source, &opened, error, sizeof error);
         }).get();
     handle.reset(opened);
-    if (status != LANCRET_OK && error[0] != '\0') throw std::runtime_error(error);
-    expect_ok(status, "lancret_open");
+    if (status != LANCRET_OK && error[0] != '\0') {
+        context->messages.take_error();  // which is the same
+        throw std::runtime_error(error);
+    }
+    expect_ok(status, parameters.file, context->messages);
     info.size = sizeof info;
-    expect_ok(lancret_get_info(handle.get(), &info), "lancret_get_info");
+    expect_ok(lancret_get_info(handle.get(), &info), "lancret_get_info",
+              context->messages);
 }
 
 lancret_options chunk_options(const RendermanParameters& parameters, RtFloat detail) {
@@ -115,15 +134,17 @@ lancret_options chunk_options(const RendermanParameters& parameters, RtFloat det
 
 void chunk_bound(const OpenGroom& groom, lancret_u32 chunk, RtBound bound) {
     const RendermanParameters& parameters = groom.parameters;
+    const std::string what =
+        parameters.file + ", bound of chunk " + std::to_string(chunk);
     float all[6];
     const lancret_options full = chunk_options(parameters, kNoDetail);
     expect_ok(lancret_bound(groom.handle.get(), chunk, &full, parameters.bound, all),
-              "lancret_bound");
+              what, groom.context->messages);
     if (parameters.strands_a_pixel > 0) {
         float wide[6];
         const lancret_options least = chunk_options(parameters, 0);
         expect_ok(lancret_bound(groom.handle.get(), chunk, &least, LANCRET_REACH, wide),
-                  "lancret_bound");
+                  what, groom.context->messages);
         for (int a = 0; a < 3; ++a) {
             all[a] = std::min(all[a], wide[a]);
             all[a + 3] = std::max(all[a + 3], wide[a + 3]);

@@ -17,12 +17,15 @@ namespace lancret {
 class Messages {
   public:
     void add(RtInt severity, std::string text);
-    /// Hands them to the renderer.
+    /// Hands warnings to the renderer.
     void print();
+    /// The last error, which the caller tells in its own words; then there is none.
+    std::string take_error();
 
   private:
     std::mutex mutex_;
     std::vector<std::pair<RtInt, std::string>> texts_;
+    std::string error_;
 };
 
 /// A context that grooms of as many threads share, for as long as one of them is open.
@@ -53,7 +56,8 @@ lancret_options chunk_options(const RendermanParameters& parameters, RtFloat det
 /// Holds a chunk at every detail: level of detail makes strands wider.
 void chunk_bound(const OpenGroom& groom, lancret_u32 chunk, RtBound bound);
 
-/// Throws std::runtime_error that names `call` where `status` is not LANCRET_OK.
-void expect_ok(lancret_status status, const char* call);
+/// Throws std::runtime_error that names `what` where `status` is not LANCRET_OK, with
+/// what was said.
+void expect_ok(lancret_status status, const std::string& what, Messages& messages);
 
 }  // namespace lancret

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <cstdio>
 #include <set>
 #include <thread>
@@ -20,7 +21,8 @@ namespace {
 const std::string kDso = LANCRET_RENDERMAN;
 
 std::string parameters_of(const MadeGroom& groom, const std::string& rest = {}) {
-    return "file='" + groom.path + "' chunk_strands=32 " + rest;
+    std::string out = "file='";
+    return out.append(groom.path).append("' chunk_strands=32 ").append(rest);
 }
 
 TEST(RendermanContract, ExpandedTwiceIsTheSame) {
@@ -156,6 +158,44 @@ TEST(RendermanContract, AWrongStringIsRefusedWithItsPlace) {
     }
     host.subdivide_function(nullptr, 1);  // what a renderer might do all the same
     host.free_function(nullptr);
+}
+
+TEST(RendermanContract, AnyStringIsReadOrRefusedWithAReason) {
+    RibHost host(kDso);
+    const std::string words =
+        "a.toml 'b c.hair' frame=12 samples=0,0.5 motion=0,1 basis=hermite "
+        "max_error=1e-3 "
+        "density=.5 strands_a_pixel=2 primvars=id,st,N chunk_strands=64 unit=2.54 "
+        "threads=3 bound=tight strands.count=5 width.root=\"x\"";
+    std::uint32_t state = 1;
+    const auto draw = [&](std::size_t n) {
+        state = state * 1664525u + 1013904223u;
+        return std::size_t(state >> 8) % n;
+    };
+    int refused = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::string text = words.substr(draw(words.size()), draw(80));
+        for (std::size_t k = draw(4); k > 0 && !text.empty(); --k) {
+            const std::size_t at = draw(text.size());
+            switch (draw(3)) {
+                case 0:
+                    text[at] = char(1 + draw(255));
+                    break;
+                case 1:
+                    text.erase(at, 1 + draw(5));
+                    break;
+                default:
+                    text.insert(at, words.substr(draw(words.size()), draw(9)));
+            }
+        }
+        host.errors.clear();
+        const RtPointer root = host.convert(text);
+        EXPECT_EQ(root == nullptr, !host.errors.empty()) << text;
+        refused += root == nullptr;
+        if (root) host.free_root(root);
+    }
+    EXPECT_GT(refused, 1000);
+    EXPECT_LT(refused, 19900);
 }
 
 /// What a shared library offers, by nm.

@@ -16,7 +16,8 @@ const std::string kDso = LANCRET_RENDERMAN;
 
 /// "file='...' chunk_strands=64 " and the rest.
 std::string parameters_of(const MadeGroom& groom, const std::string& rest) {
-    return "file='" + groom.path + "' chunk_strands=64 " + rest;
+    std::string out = "file='";
+    return out.append(groom.path).append("' chunk_strands=64 ").append(rest);
 }
 
 struct NamedBasis {
@@ -102,14 +103,14 @@ TEST(Renderman, GivesPrimvarsOfTheirClasses) {
                       LANCRET_IDS | LANCRET_ROOT_UV | LANCRET_LENGTHS | LANCRET_GUIDES |
                           LANCRET_ARC_LENGTHS | LANCRET_RANDOM | LANCRET_NORMALS));
     const auto& values = chunks.at(0).curves.at(0).values;
-    const std::string n = "[" + std::to_string(abi.neighbours) + "] ";
+    const std::string n = std::to_string(abi.neighbours);
     EXPECT_EQ(values.at("uniform integer id"),
               std::vector<float>(abi.ids.begin(), abi.ids.end()));
     EXPECT_EQ(values.at("uniform float[2] st"), abi.root_uv);
     EXPECT_EQ(values.at("uniform float length"), abi.lengths);
-    EXPECT_EQ(values.at("uniform integer" + n + "guides"),
+    EXPECT_EQ(values.at("uniform integer[" + n + "] guides"),
               std::vector<float>(abi.guides.begin(), abi.guides.end()));
-    EXPECT_EQ(values.at("uniform float" + n + "weights"), abi.weights);
+    EXPECT_EQ(values.at("uniform float[" + n + "] weights"), abi.weights);
     EXPECT_EQ(values.at("vertex float arc_length"), abi.arc_lengths);
     EXPECT_EQ(values.at("uniform float random"), abi.random);
     std::vector<float> normals;
