@@ -11,16 +11,14 @@
 
 namespace lancret {
 
-/// made.toml, a head of 40 guides and 300 strands that turns between frames 1 and 9.
+/// A head of 40 guides and 300 strands.
 struct MadeGroom : TemporaryFolder {
     std::string path = (*this / "made groom.toml").string();  // hosts quote names
 
     MadeGroom() {
         write_bytes(path,
                     "[guides]\nsegments = 6\n[guides.made]\nstrands = 40\n"
-                    "[strands]\ncount = 300\n"
-                    "[motion]\npivot = [0, -8, -2]\n"
-                    "keys = [{frame = 1}, {frame = 9, turn = [0, 40, 0]}]\n");
+                    "[strands]\ncount = 300\n");
     }
 };
 
