@@ -31,11 +31,13 @@ struct Compiled : TemporaryFolder {
     int compile() const {
         const std::string library = LANCRET_PLUGIN;
         const std::string folder = library.substr(0, library.rfind('/'));
-        return std::system(
-            (std::string("'") + LANCRET_C_COMPILER +
-             "' -std=c89 -pedantic -Wall -Werror -I'" LANCRET_SOURCE_DIR "' '" + source +
-             "' -o '" + program + "' '" + library + "' -Wl,-rpath,'" + folder + "'")
-                .c_str());
+        return std::system((std::string("'") + LANCRET_C_COMPILER +
+                            "' " LANCRET_C_FLAGS
+                            " -std=c89 -pedantic -Wall -Werror -I'" LANCRET_SOURCE_DIR
+                            "' '" +
+                            source + "' -o '" + program + "' '" + library +
+                            "' -Wl,-rpath,'" + folder + "'")
+                               .c_str());
     }
 };
 
