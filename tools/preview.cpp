@@ -50,9 +50,8 @@ void print_picture(const std::filesystem::path& output, const Generator& generat
     fmt::print(
         "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
         "expand {:.3f}, BVH {:.2f}, render {:.1f} ({:.2f} million rays/s); {:.0f} MB\n",
-        output.string(), strands, generator.source.guides.size(),
-        generator.seconds.load, generator.seconds.fit, generator.seconds.bind,
-        cost.expand, cost.bvh, cost.render,
+        output.string(), strands, generator.source.guides.size(), generator.seconds.load,
+        generator.seconds.fit, generator.seconds.bind, cost.expand, cost.bvh, cost.render,
         cost.render > 0 ? 1e-6 * double(cost.rays) / cost.render : 0.0,
         double(peak_rss()) / 1e6);
 }
@@ -81,7 +80,7 @@ int preview(const PreviewOptions& options) {
     if (job.preview.hair.aspect < 1) ask_for_faces(job);
 
     Generator generator = run_generator(job.groom);
-    RestPlaces rest = prepare_frames(generator, chosen, job);
+    RestPlaces rest = prepare_frames(generator, chosen);
     const std::size_t views = options.turntable ? outputs.size() : 0;
     const std::vector<Camera> cameras = cameras_of(job, generator, views);
     RenderScene scene;
