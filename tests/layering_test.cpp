@@ -119,6 +119,16 @@ std::string third_party_fault(const Include& include) {
     return {};
 }
 
+/// What hosts load stands on the C interface alone.
+std::string adapter_fault(const Include& include) {
+    const std::string folder = "procedural/adapters/";
+    return begins(include.file, folder) && include.quoted &&
+                   !begins(include.name, folder) &&
+                   include.name != "procedural/lancret_procedural.h"
+               ? include.file + " may not include " + include.name
+               : std::string();
+}
+
 std::string source_fault(const Include& include) {
     return std::filesystem::path(include.name).extension() == ".cpp"
                ? include.file + " includes a source file, " + include.name
@@ -206,6 +216,17 @@ TEST(Layering, FiguresKnowNothingOfTheBlends) {
     EXPECT_NE(judge_fault(include("procedural/expand.h")), "");
     EXPECT_EQ(judge_fault(include("procedural/strand_figures.h")), "");
     expect_faultless(judge_fault);
+}
+
+TEST(Layering, AdaptersKnowTheCInterfaceAlone) {
+    const auto include = [](const char* name) {
+        return Include{"procedural/adapters/renderman.cpp", name, true};
+    };
+    EXPECT_NE(adapter_fault(include("procedural/expand.h")), "");
+    EXPECT_NE(adapter_fault(include("guides/helix.h")), "");
+    EXPECT_EQ(adapter_fault(include("procedural/lancret_procedural.h")), "");
+    EXPECT_EQ(adapter_fault(include("procedural/adapters/ri.h")), "");
+    expect_faultless(adapter_fault);
 }
 
 TEST(Layering, NothingIncludesASourceFile) { expect_faultless(source_fault); }

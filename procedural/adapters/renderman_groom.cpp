@@ -1,0 +1,159 @@
+#include "procedural/adapters/renderman_groom.h"
+
+#include <algorithm>
+#include <future>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace lancret {
+namespace {
+
+void keep_message(void* user, int level, const char* text) {
+    const RtInt severity = level == LANCRET_LOG_ERROR     ? kRiError
+                           : level == LANCRET_LOG_WARNING ? kRiWarning
+                                                          : kRiInfo;
+    static_cast<Messages*>(user)->add(severity, text);
+}
+
+/// RenderMan makes a procedural anew for each instance and has no place where they meet:
+/// this is it.
+std::shared_ptr<Context> shared_context(int threads) {
+    static std::mutex mutex;
+    static std::map<int, std::weak_ptr<Context>> contexts;
+    const std::lock_guard lock(mutex);
+    std::shared_ptr<Context> out = contexts[threads].lock();
+    if (!out) contexts[threads] = out = std::make_shared<Context>(threads);
+    return out;
+}
+
+}  // namespace
+
+void Messages::add(RtInt severity, std::string text) {
+    const std::lock_guard lock(mutex_);
+    if (severity == kRiError) {
+        error_ = std::move(text);
+    } else {
+        texts_.emplace_back(severity, std::move(text));
+    }
+}
+
+std::string Messages::take_error() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(error_, {});
+}
+
+void Messages::print() {
+    std::vector<std::pair<RtInt, std::string>> texts;
+    {
+        const std::lock_guard lock(mutex_);
+        texts.swap(texts_);
+    }
+    for (const auto& [severity, text] : texts) {
+        RiErrorPrint(kRiSystem, severity, ("lancret: " + text).c_str());
+    }
+}
+
+void expect_ok(lancret_status status, const std::string& what, Messages& messages) {
+    constexpr const char* kNames[] = {
+        "",          "bad input",           "a wrong call", "out of memory",
+        "cancelled", "a mistake in Lancret"};
+    if (status == LANCRET_OK) return;
+    const bool known = status > 0 && status < int(std::size(kNames));
+    std::string text = what + ": " + (known ? kNames[status] : "an unknown status");
+    if (const std::string error = messages.take_error(); !error.empty()) {
+        text += ", " + error;
+    }
+    throw std::runtime_error(text);
+}
+
+Context::Context(int threads) {
+    lancret_host host{};
+    host.size = sizeof host;
+    host.user = &messages;
+    host.log = keep_message;
+    host.threads = threads;
+    expect_ok(lancret_create(LANCRET_ABI_VERSION, &host, &handle), "lancret_create",
+              messages);
+}
+
+OpenGroom::OpenGroom(RendermanParameters given)
+    : parameters(std::move(given)),
+      context(shared_context(parameters.threads)),
+      handle(nullptr, lancret_close) {
+    std::vector<lancret_parameter> values;
+    for (const GroomValue& value : parameters.values) {
+        values.push_back({value.name.c_str(),
+                          value.is_text ? value.text.c_str() : nullptr, value.number});
+    }
+    lancret_source source{};
+    source.size = sizeof source;
+    source.path = parameters.file.c_str();
+    source.parameters = values.data();
+    source.parameter_count = values.size();
+    source.chunk_strands = parameters.chunk_strands;
+    // On a thread of its own: Lancret works in parallel inside, and a thread that waits
+    // for such work while it holds a lock might be given another Subdivide of the
+    // renderer's, which waits for the lock.
+    char error[1024] = "";
+    lancret_groom* opened = nullptr;
+    const lancret_status status =
+        std::async(std::launch::async, [&] {
+            return lancret_open(context->handle, &source, &opened, error, sizeof error);
+        }).get();
+    handle.reset(opened);
+    if (status != LANCRET_OK && error[0] != '\0') {
+        context->messages.take_error();  // which is the same
+        throw std::runtime_error(error);
+    }
+    expect_ok(status, parameters.file, context->messages);
+    info.size = sizeof info;
+    expect_ok(lancret_get_info(handle.get(), &info), "lancret_get_info",
+              context->messages);
+}
+
+lancret_options chunk_options(const RendermanParameters& parameters, RtFloat detail) {
+    lancret_options out{};
+    out.size = sizeof out;
+    out.times = parameters.times.data();
+    out.time_count = parameters.times.size();
+    out.basis = parameters.basis;
+    out.max_error = parameters.max_error;
+    out.density = parameters.density;
+    out.attributes = parameters.attributes;
+    out.unit = parameters.unit;
+    if (parameters.strands_a_pixel > 0 && detail < kNoDetail) {
+        // A chunk has at most chunk_strands, so that the share stays above the least.
+        out.strands_a_pixel = parameters.strands_a_pixel;
+        out.pixels =
+            std::max(double(detail), parameters.least_density * parameters.chunk_strands /
+                                         parameters.strands_a_pixel);
+    }
+    return out;
+}
+
+void chunk_bound(const OpenGroom& groom, lancret_u32 chunk, RtBound bound) {
+    const RendermanParameters& parameters = groom.parameters;
+    const std::string what =
+        parameters.file + ", bound of chunk " + std::to_string(chunk);
+    float all[6];
+    const lancret_options full = chunk_options(parameters, kNoDetail);
+    expect_ok(lancret_bound(groom.handle.get(), chunk, &full, parameters.bound, all),
+              what, groom.context->messages);
+    if (parameters.strands_a_pixel > 0) {
+        float wide[6];
+        const lancret_options least = chunk_options(parameters, 0);
+        expect_ok(lancret_bound(groom.handle.get(), chunk, &least, LANCRET_REACH, wide),
+                  what, groom.context->messages);
+        for (int a = 0; a < 3; ++a) {
+            all[a] = std::min(all[a], wide[a]);
+            all[a + 3] = std::max(all[a + 3], wide[a + 3]);
+        }
+    }
+    for (int a = 0; a < 3; ++a) {
+        bound[2 * a] = all[a];
+        bound[2 * a + 1] = all[a + 3];
+    }
+}
+
+}  // namespace lancret
