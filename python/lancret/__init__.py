@@ -21,7 +21,8 @@ from .errors import (
 )
 from .figures import Check, Guides, Info
 from .geometry import Mesh, Strands
-from .groom import Groom, evaluate, fit, open
+from .groom import Groom
+from .opening import evaluate, fit, open
 
 __version__ = "0.1.0"
 __all__ = [

@@ -77,6 +77,8 @@ class Source:
             if text is not None:
                 raise InputError("the TOML's text is given twice")
             source, text = None, source
+        if source is None and text is None and strands is not None:
+            text = ""  # nothing but the strands
         values = dict(flat(parameters or {}))
         if strands is not None:
             values = _of_strands(strands, values)

@@ -16,7 +16,8 @@ from .errors import BY_STATUS, MEANINGS, Error, InternalError
 LogCallback = Callable[[str, str], None]
 CancelCallback = Callable[[], bool]
 
-_LOGGING = {"info": logging.INFO, "warning": logging.WARNING, "error": logging.ERROR}
+# An error is raised as well, and so is none to log twice.
+_LOGGING = {"info": logging.INFO, "warning": logging.WARNING, "error": logging.DEBUG}
 
 
 def log_to_logging(level: str, text: str) -> None:
@@ -32,7 +33,7 @@ class _Callbacks:
         self._log, self._cancelled = log, cancelled
         self._lock = threading.Lock()
         self._raised: BaseException | None = None
-        self.last_error = ""
+        self._said = threading.local()  # a call's error is logged by its own thread
         self.c_log = _abi.Log(self.log)
         self.c_cancel = _abi.Cancel(self.cancel)
 
@@ -45,12 +46,17 @@ class _Callbacks:
             raised, self._raised = self._raised, None
         return raised
 
+    def take_error(self) -> str:
+        words = getattr(self._said, "error", "")
+        self._said.error = ""
+        return words
+
     def log(self, _user: int | None, level: int, text: bytes) -> None:
         try:
             words = text.decode(errors="replace")
             name = _abi.LOG_LEVELS.get(level, "error")
             if name == "error":
-                self.last_error = words
+                self._said.error = words
             self._log(name, words)
         except BaseException as fault:  # noqa: BLE001 - must not reach C
             self.keep(fault)
@@ -102,12 +108,11 @@ class Context:
 
     def raise_for(self, status: int, text: str = "") -> None:
         """Nothing for LANCRET_OK; else the error that the status stands for."""
-        raised = self._callbacks.take_raised()
+        raised, said = self._callbacks.take_raised(), self._callbacks.take_error()
         if raised is not None:
             raise raised
         if status == _abi.OK:
             return
-        said, self._callbacks.last_error = self._callbacks.last_error, ""
         kind: type[Error] = BY_STATUS.get(status, InternalError)
         raise kind(text or said or MEANINGS.get(status, f"status {status}"))
 

@@ -59,7 +59,7 @@ def picture(
         pieces = np.concatenate([np.stack([f[:-1], f[1:]], axis=1) for f in flat])
         along = np.concatenate([np.linspace(0, 1, len(f) - 1) for f in flat])
         look = {"colors": colour} if colour else {"array": along, "cmap": "copper"}
-        axis.add_collection(LineCollection(pieces, linewidths=0.6, alpha=0.7, **look))
+        axis.add_collection(LineCollection(list(pieces), linewidths=0.6, alpha=0.7, **look))
         axis.autoscale()
         axis.set_aspect("equal")
         axis.set_title(name)
