@@ -79,7 +79,7 @@ def _uvs(
     for name in names:
         primvar = primvars.GetPrimvar(name)
         value = primvar.ComputeFlattened(time) if primvar else None
-        if not len(value or []) or np.shape(value)[1:] != (2,):
+        if value is None or np.array(value).shape[1:] != (2,):
             continue
         values: np.ndarray = np.array(value, dtype=np.float32)
         kind = str(primvar.GetInterpolation())
