@@ -7,6 +7,7 @@
 `lancret.usd` reads and writes USD, `lancret.notebook` draws.
 """
 
+from . import notebook
 from ._library import version
 from .context import Context
 from .curves import ALL, Attribute, Basis, Curves
@@ -46,6 +47,7 @@ __all__ = [
     "Strands",
     "evaluate",
     "fit",
+    "notebook",
     "open",
     "version",
 ]
