@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from ctypes import c_double
 
+import numpy as np
+
 from . import _abi
 from .curves import Attribute, Basis, attribute_bits
 from .errors import CallError
@@ -23,9 +25,9 @@ def chunk_index(chunk: int) -> int:
 def moments_of(times: Times) -> tuple[float, ...]:
     if times is None:
         return ()
-    if isinstance(times, (int, float)):
-        return (float(times),)
-    return tuple(float(time) for time in times)
+    if np.ndim(times) == 0:
+        return (float(times),)  # type: ignore[arg-type]
+    return tuple(float(time) for time in times)  # type: ignore[union-attr]
 
 
 def options_of(

@@ -82,6 +82,8 @@ class Source:
         values = dict(flat(parameters or {}))
         if strands is not None:
             values = _of_strands(strands, values)
+        if not 0 <= chunk_strands < 2**32:
+            raise InputError(f"chunk_strands: must be 0 or more, not {chunk_strands}")
         self._kept: list[object] = [strands, scalp]
         listed = (_abi.Parameter * len(values))(
             *(_parameter(name, value) for name, value in values.items())

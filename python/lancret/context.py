@@ -11,7 +11,7 @@ from types import TracebackType
 from . import _abi
 from ._handle import Handle
 from ._library import library
-from .errors import BY_STATUS, MEANINGS, Error, InternalError
+from .errors import BY_STATUS, MEANINGS, CallError, Error, InternalError
 
 LogCallback = Callable[[str, str], None]
 CancelCallback = Callable[[], bool]
@@ -62,7 +62,7 @@ class _Callbacks:
             self.keep(fault)
 
     def cancel(self, _user: int | None) -> int:
-        try:  # an interrupt by Ctrl-C arrives here, too
+        try:
             if self._raised is not None:
                 return 1
             return int(self._cancelled is not None and bool(self._cancelled()))
@@ -78,8 +78,8 @@ class Context:
     threads: at most so many at once for one call; 0: as many as the machine has.
     log: called with "info", "warning" or "error" and a text, from any thread; by default
         Python's logging.
-    cancelled: asked every few milliseconds of work, from any thread; true ends the call
-        with `Cancelled`. An exception in it ends the call and is raised from there.
+    cancelled: asked every few milliseconds of work, from a thread of its own; true ends
+        the call with `Cancelled`. An exception in it ends the call and comes out of it.
     """
 
     def __init__(
@@ -90,9 +90,11 @@ class Context:
         cancelled: CancelCallback | None = None,
     ) -> None:
         self._callbacks = _Callbacks(log or log_to_logging, cancelled)
-        host = _abi.Host(
-            log=self._callbacks.c_log, cancelled=self._callbacks.c_cancel, threads=threads
-        )
+        if not 0 <= threads < 2**31:
+            raise CallError(f"threads: must be 0 or more, not {threads}")
+        host = _abi.Host(log=self._callbacks.c_log, threads=threads)
+        if cancelled is not None:  # else nobody need be asked
+            host.cancelled = self._callbacks.c_cancel
         pointer = ctypes.c_void_p()
         self.raise_for(
             library().lancret_create(
