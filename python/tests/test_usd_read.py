@@ -343,3 +343,7 @@ class RealFiles(unittest.TestCase):
             read.points[0], [-0.24708444, -0.66069597, -2 * 0.80387932], atol=1e-6
         )
         self.assertIsInstance(read, Strands)
+        meant = usd.read(DATA / "wavy_blender.usda", transform=False, wrap="pinned")
+        places, counts = cubic.sample(meant.points, meant.counts, "bspline", 1)
+        plane = usd.read_mesh(DATA / "wavy_blender.usda")
+        np.testing.assert_allclose(places[:: counts[0], 2], plane.positions[0, 2], atol=1e-4)

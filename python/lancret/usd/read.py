@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -19,11 +19,22 @@ _PINNED = ("bspline", "catmull-rom")  # of which the ends need points that are n
 PLACES_A_PIECE = 8
 
 
-def read(source: Any, prim: str | None = None, time: float | None = None) -> Strands:
+def read(
+    source: Any,
+    prim: str | None = None,
+    time: float | None = None,
+    *,
+    transform: bool = True,
+    wrap: Literal["nonperiodic", "pinned"] | None = None,
+) -> Strands:
     """The strands of every BasisCurves at or below `prim` (none: of the stage), in world
     space and the stage's units.
 
     source: a file, or a Usd.Stage. time: none: the default value, or the first sample.
+    transform: False takes points as they stand, for files whose points are in world space
+        below a transform all the same, such as Blender 2.93's hair.
+    wrap: in place of the file's: "pinned" for files that do not say so but whose curves
+        are meant to begin at their first points, as Blender's again.
 
     `linear` and `bspline` curves keep their control points, with the points that
     `pinned` only implies. `bezier` and `catmullRom` curves, which are no B-splines,
@@ -35,7 +46,7 @@ def read(source: Any, prim: str | None = None, time: float | None = None) -> Str
     """
     stage = stage_of(source)
     parts = [
-        _read_prim(each, moment(time))
+        _read_prim(each, moment(time), transform, wrap)
         for each in prims_of(stage, prim, UsdGeom.BasisCurves)
     ]
     joined = _joined([part for part in parts if len(part)] or parts[:1])
@@ -79,9 +90,10 @@ class _Form:
         }.get(interpolation, -1)
 
 
-def _form(curves: Any, time: Any, points: int) -> _Form:
+def _form(curves: Any, time: Any, points: int, said_wrap: str | None) -> _Form:
     name = name_of(curves.GetPrim())
-    wrap, kind = str(curves.GetWrapAttr().Get()), str(curves.GetTypeAttr().Get())
+    wrap = said_wrap or str(curves.GetWrapAttr().Get())
+    kind = str(curves.GetTypeAttr().Get())
     basis = "linear" if kind == "linear" else _BASES.get(str(curves.GetBasisAttr().Get()))
     if basis is None:
         raise InputError(
@@ -107,11 +119,11 @@ def _form(curves: Any, time: Any, points: int) -> _Form:
     return form
 
 
-def _read_prim(prim: Any, time: Any) -> Strands:
+def _read_prim(prim: Any, time: Any, transform: bool, wrap: str | None) -> Strands:
     curves = UsdGeom.BasisCurves(prim)
     points = array_of(curves.GetPointsAttr(), time, (-1, 3), np.float64)
-    form = _form(curves, time, len(points))
-    matrix = matrix_of(prim, time)
+    form = _form(curves, time, len(points), wrap)
+    matrix = matrix_of(prim, time) if transform else np.eye(4)
     points = to_world(points, matrix)
     widths = _widths(curves, form, time)
     if widths is not None:  # a transform that scales unevenly has no one width: the mean
