@@ -11,7 +11,16 @@ import numpy as np
 from .. import cubic
 from ..errors import InputError
 from ..geometry import Strands
-from ._pxr import UsdGeom, array_of, matrix_of, moment, name_of, prims_of, stage_of, to_world
+from ._pxr import (
+    UsdGeom,
+    array_of,
+    matrix_of,
+    moment,
+    name_of,
+    prims_of,
+    stage_of,
+    to_world,
+)
 
 _BASES = {"bspline": "bspline", "catmullRom": "catmull-rom", "bezier": "bezier"}
 _PINNED = ("bspline", "catmull-rom")  # of which the ends need points that are not there
@@ -77,7 +86,10 @@ class _Form:
     def stretched(self) -> int:
         """What UsdGeomBasisCurves computes as the number of `varying` values of pinned
         curves: as if they were not pinned. Files of either kind are about."""
-        if not (self.pinned and self.basis in _PINNED) or self.counts.min(initial=4) < 4:
+        if (
+            not (self.pinned and self.basis in _PINNED)
+            or self.counts.min(initial=4) < 4
+        ):
             return -1
         return int((self.counts - 2).sum())
 
@@ -94,7 +106,9 @@ def _form(curves: Any, time: Any, points: int, said_wrap: str | None) -> _Form:
     name = name_of(curves.GetPrim())
     wrap = said_wrap or str(curves.GetWrapAttr().Get())
     kind = str(curves.GetTypeAttr().Get())
-    basis = "linear" if kind == "linear" else _BASES.get(str(curves.GetBasisAttr().Get()))
+    basis = (
+        "linear" if kind == "linear" else _BASES.get(str(curves.GetBasisAttr().Get()))
+    )
     if basis is None:
         raise InputError(
             f"{name}: basis is {curves.GetBasisAttr().Get()}; one of {', '.join(_BASES)} "
@@ -126,7 +140,9 @@ def _read_prim(prim: Any, time: Any, transform: bool, wrap: str | None) -> Stran
     matrix = matrix_of(prim, time) if transform else np.eye(4)
     points = to_world(points, matrix)
     widths = _widths(curves, form, time)
-    if widths is not None:  # a transform that scales unevenly has no one width: the mean
+    if (
+        widths is not None
+    ):  # a transform that scales unevenly has no one width: the mean
         widths = widths * abs(np.linalg.det(matrix[:3, :3])) ** (1 / 3)
         points = np.column_stack([points, widths])
     basis, counts = form.basis, form.counts
@@ -238,7 +254,9 @@ def _joined(parts: list[Strands]) -> Strands:
 
     def together(name: str) -> Any:
         arrays = [getattr(part, name) for part in parts]
-        return None if any(array is None for array in arrays) else np.concatenate(arrays)
+        return (
+            None if any(array is None for array in arrays) else np.concatenate(arrays)
+        )
 
     return Strands(
         points=together("points"),
