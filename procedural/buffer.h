@@ -25,6 +25,14 @@ class Buffer {
         : data_(size > 0 ? static_cast<T*>(untouched_memory(size * sizeof(T))) : nullptr),
           size_(size) {}
 
+    /// Over somebody else's memory, aligned as T is, which is not given back.
+    static Buffer over(T* data, std::size_t size) {
+        Buffer out;
+        out.data_ = {data, Free{false}};
+        out.size_ = size;
+        return out;
+    }
+
     T* data() { return data_.get(); }
     const T* data() const { return data_.get(); }
     std::size_t size() const { return size_; }
@@ -36,7 +44,10 @@ class Buffer {
 
   private:
     struct Free {
-        void operator()(T* data) const { std::free(data); }
+        bool own = true;
+        void operator()(T* data) const {
+            if (own) std::free(data);
+        }
     };
     std::unique_ptr<T[], Free> data_;
     std::size_t size_ = 0;

@@ -95,7 +95,7 @@ LANCRET_API void lancret_destroy(lancret_context* context);
 
 /* ---- grooms --------------------------------------------------------------------- */
 
-/* A value laid over the groom's own: name "strands.number", "guides.file", ... as in its
+/* A value laid over the groom's own: name "strands.count", "guides.file", ... as in its
  * TOML; text where it is a string, else null and number (booleans 0 and 1). */
 typedef struct lancret_parameter {
     const char* name;

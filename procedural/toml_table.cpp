@@ -2,27 +2,18 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <fstream>
-#include <map>
 #include <numeric>
 #include <sstream>
-#include <vector>
 
 #include "guides/errors.h"
+#include "procedural/toml_table_node.h"
 
 namespace lancret {
 
 namespace {
-
-/// The document a table belongs to: what keeps the parsed file alive.
-struct Document {
-    toml::table root;
-    std::string name;
-    std::filesystem::path folder;
-};
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
@@ -54,25 +45,11 @@ std::optional<std::string_view> nearest_name(std::string_view word,
     return best;
 }
 
-struct TomlTable::Node {
-    std::shared_ptr<const Document> document;
-    const toml::table* table = nullptr;  // null: an absent table
-    std::string title;                   // "[guides]", or empty for the root
-    std::size_t line = 0;                // of a table in a list; else 0
-    std::vector<std::string> asked;
-    std::map<std::string, TomlTable, std::less<>> children;
-    std::map<std::string, std::vector<TomlTable>, std::less<>> lists;
-
-    /// The value under `key`, which is from now on asked for.
-    const toml::node* ask(std::string_view key) {
-        if (std::ranges::find(asked, key) == asked.end()) asked.emplace_back(key);
-        return table ? table->get(key) : nullptr;
-    }
-};
-
-TomlTable TomlTable::from_text(std::string_view text, std::string name) {
-    auto document = std::make_shared<Document>();
+TomlTable TomlTable::from_text(std::string_view text, std::string name,
+                               const std::filesystem::path& folder) {
+    auto document = std::make_shared<TomlDocument>();
     document->name = std::move(name);
+    document->folder = folder;
     try {
         document->root = toml::parse(text, document->name);
     } catch (const toml::parse_error& error) {
@@ -98,10 +75,7 @@ TomlTable TomlTable::from_file(const std::filesystem::path& path) {
     if (file.bad() || text.fail()) {
         throw InputError(fmt::format("{}: cannot be read", path.string()));
     }
-    TomlTable out = from_text(text.str(), path.string());
-    auto document = std::const_pointer_cast<Document>(out.node_->document);
-    document->folder = path.parent_path();
-    return out;
+    return from_text(text.str(), path.string(), path.parent_path());
 }
 
 TomlTable TomlTable::table(std::string_view key) const {
@@ -182,6 +156,7 @@ std::optional<std::int64_t> TomlTable::integer(std::string_view key, std::int64_
 std::optional<bool> TomlTable::boolean(std::string_view key) const {
     const toml::node* value = node_->ask(key);
     if (!value) return std::nullopt;
+    if (const auto bit = parameter_bit(*value)) return bit;
     if (!value->is_boolean()) fail(key, fmt::format("'{}' must be true or false", key));
     return value->as_boolean()->get();
 }
@@ -310,7 +285,12 @@ void TomlTable::fail(std::string_view key, std::string_view message) const {
     std::size_t line = node_->line;
     if (node_->table) {
         for (const auto& [name, value] : *node_->table) {
-            if (name.str() == key) line = name.source().begin.line;
+            if (name.str() != key) continue;
+            line = name.source().begin.line;
+            if (line == 0) {
+                throw InputError(fmt::format("{}: parameter {}: {}",
+                                             node_->document->name, key, message));
+            }
         }
     }
     throw InputError(line > 0

@@ -19,9 +19,19 @@ namespace lancret {
 /// shares what has been asked for.
 class TomlTable {
   public:
-    /// The whole of a file, or of a text that calls itself `name` in errors.
+    /// The whole of a file, or of a text that calls itself `name` in errors and whose
+    /// paths start from `folder`.
     static TomlTable from_file(const std::filesystem::path& path);
-    static TomlTable from_text(std::string_view text, std::string name);
+    static TomlTable from_text(std::string_view text, std::string name,
+                               const std::filesystem::path& folder = {});
+
+    /// Lays a value over what the file says, as if it stood there: `name` is
+    /// "strands.count", of this table. Numbers also serve as booleans, 0 and 1. To be
+    /// done before anything is read. Throws InputError where the name is none.
+    void lay_over(std::string_view name, std::string_view text);
+    void lay_over(std::string_view name, double number);
+    /// Leaves the table or list under `key` to somebody else.
+    void leave(std::string_view key) const;
 
     /// The table under `key`; an empty one where there is none.
     TomlTable table(std::string_view key) const;
@@ -63,6 +73,9 @@ class TomlTable {
 
   private:
     struct Node;
+    template <class T>
+    void lay_value_over(std::string_view name, const T& value);
+
     std::shared_ptr<Node> node_;
 };
 

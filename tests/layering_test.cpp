@@ -82,7 +82,7 @@ const ThirdParty kThirdParties[] = {
     {{"tiny_obj_loader"}, {"guides/obj_file."}},
     {{"nanoflann"}, {"guides/point_tree.h"}},
     {{"hwy/"}, {"procedural/kernels/", "tests/procedural/every_target.h"}},
-    {{"toml"}, {"procedural/toml_table."}},
+    {{"toml"}, {"procedural/toml_table"}},
     {{"CLI/"}, {"tools/", "bench/render_test/picture_bench."}},
     {{"unsupported/"}, {"tests/"}},
     {{"gtest", "gmock"}, {"tests/"}},
@@ -231,7 +231,9 @@ TEST(Layering, NoFileOfALayerIsLong) {
 
 TEST(Layering, HeadersGuardThemselves) {
     for (const SourceFile& file : tree()) {
-        if (!file.path.ends_with(".h")) continue;
+        // The C interface is for compilers that know no pragma as well.
+        if (!file.path.ends_with(".h") || file.path == "procedural/lancret_procedural.h")
+            continue;
         EXPECT_TRUE(begins(file.text, "#pragma once\n")) << file.path;
     }
 }

@@ -1,0 +1,48 @@
+#pragma once
+// A chunk from its binding to a host's arrays.
+
+#include "procedural/abi/request.h"
+
+namespace lancret::abi {
+
+/// What is kept of a chunk between its sizes and its curves.
+struct BoundChunk {
+    Request request;
+    Binding binding;  ///< at rest
+};
+
+/// Throws BadCall, InputError.
+BoundChunk bind_request(const Prepared& groom, std::uint32_t chunk,
+                        const lancret_options* options);
+
+/// What expansion is told.
+ExpandSettings settings_of(const Prepared& groom, const Request& request);
+
+/// The guides as a request cuts them.
+std::shared_ptr<const GuidePose> guide_pose(const Prepared& groom,
+                                            const Request& request);
+
+/// All of lancret_curves but its pointers.
+lancret_curves sizes_of(const BoundChunk& bound);
+
+/// Writes the arrays that `out` points to, all but those that are null; all of them are
+/// as long as sizes_of says. `workspace` lends memory for what is not kept.
+void write_chunk(const Prepared& groom, const BoundChunk& bound,
+                 const lancret_curves& out, Workspace& workspace);
+
+/// Arrays for all that was asked for, in memory of the workspace.
+struct ChunkArrays {
+    std::vector<const float*> positions, tangents, normals;  ///< [times]
+    lancret_curves curves;                                   ///< points into these
+
+    ChunkArrays(const BoundChunk& bound, bool one_time, Workspace& workspace);
+    ChunkArrays(const ChunkArrays&) = delete;
+    ChunkArrays& operator=(const ChunkArrays&) = delete;
+};
+
+}  // namespace lancret::abi
+
+struct lancret_chunk {
+    const lancret_groom* groom;
+    lancret::abi::BoundChunk own;
+};

@@ -1,0 +1,66 @@
+// Chunks into a sink, or into the host's own memory; and the boxes that hold them.
+
+#include <new>
+
+#include "procedural/abi/bound.h"
+#include "procedural/abi/chunk.h"
+
+using namespace lancret::abi;
+
+lancret_status lancret_bound(const lancret_groom* groom, lancret_u32 chunk,
+                             const lancret_options* options, int kind, float box[6]) {
+    if (!groom) return LANCRET_BAD_CALL;
+    return run(groom->context, [&] {
+        require(box, "box");
+        require(kind == LANCRET_REACH || kind == LANCRET_TIGHT, "kind");
+        const Eigen::AlignedBox3f found = bound_box(*groom->own, chunk, options, kind);
+        for (int i = 0; i < 3; ++i) {
+            box[i] = found.min()[i];
+            box[3 + i] = found.max()[i];
+        }
+    });
+}
+
+lancret_status lancret_expand(const lancret_groom* groom, lancret_u32 chunk,
+                              const lancret_options* options, lancret_sink sink,
+                              void* user) {
+    if (!groom) return LANCRET_BAD_CALL;
+    return run(groom->context, [&] {
+        require(sink, "sink");
+        const Prepared& own = *groom->own;
+        const BoundChunk bound = bind_request(own, chunk, options);
+        const WorkspaceLoan workspace(groom->context.workspaces);
+        const ChunkArrays arrays(bound, false, *workspace);
+        write_chunk(own, bound, arrays.curves, *workspace);
+        lancret::stop_if_cancelled();
+        const lancret_status status = sink(user, &arrays.curves);
+        if (status != LANCRET_OK) throw SinkEnded{status};
+    });
+}
+
+lancret_status lancret_chunk_open(const lancret_groom* groom, lancret_u32 chunk,
+                                  const lancret_options* options, lancret_chunk** bound) {
+    if (bound) *bound = nullptr;
+    if (!groom || !bound) return LANCRET_BAD_CALL;
+    return run(groom->context, [&] {
+        *bound = new lancret_chunk{groom, bind_request(*groom->own, chunk, options)};
+    });
+}
+
+lancret_status lancret_chunk_sizes(const lancret_chunk* bound, lancret_curves* sizes) {
+    if (!bound) return LANCRET_BAD_CALL;
+    return run(bound->groom->context,
+               [&] { write_sized(sizes, sizes_of(bound->own), "lancret_curves"); });
+}
+
+lancret_status lancret_chunk_write(const lancret_chunk* bound,
+                                   const lancret_curves* buffers) {
+    if (!bound) return LANCRET_BAD_CALL;
+    return run(bound->groom->context, [&] {
+        const auto out = read_sized(buffers, "lancret_curves and its size");
+        const WorkspaceLoan workspace(bound->groom->context.workspaces);
+        write_chunk(*bound->groom->own, bound->own, out, *workspace);
+    });
+}
+
+void lancret_chunk_close(lancret_chunk* bound) { delete bound; }

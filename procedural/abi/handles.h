@@ -1,0 +1,42 @@
+#pragma once
+// What is behind the handles of the interface.
+
+#include <functional>
+#include <string>
+
+#include "procedural/abi/cancel_watch.h"
+#include "procedural/abi/prepared.h"
+#include "procedural/abi/sized.h"
+#include "procedural/abi/workspace.h"
+
+struct lancret_context {
+    explicit lancret_context(const lancret_host& given) : host(given) {}
+
+    const lancret_host host;
+    lancret::abi::Workspaces workspaces{host};
+    lancret::abi::SharedByKey<std::string, lancret::abi::Prepared> grooms{0};
+    lancret::abi::CancelWatch cancel{host};
+};
+
+struct lancret_groom {
+    lancret_context& context;
+    std::shared_ptr<const lancret::abi::Prepared> own;
+};
+
+namespace lancret::abi {
+
+void log(const lancret_context& context, int level, const std::string& text);
+
+/// Does the work of one call: in its own TBB arena of as many threads as the host gives,
+/// so that none of the host's own tasks is taken up meanwhile, with the processor's
+/// rounding as Lancret is used to, and until the host cancels. What is thrown becomes a
+/// status and, where there is room for it, a line of text; nothing leaves.
+lancret_status run(lancret_context& context, const std::function<void()>& work,
+                   std::string* error = nullptr) noexcept;
+
+/// Another status than LANCRET_OK that a host's sink returned.
+struct SinkEnded {
+    lancret_status status;
+};
+
+}  // namespace lancret::abi

@@ -1,0 +1,145 @@
+// Contexts and grooms: everything before the first strand.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+#include "procedural/abi/handles.h"
+#include "procedural/abi/source.h"
+
+namespace lancret::abi {
+
+namespace {
+
+/// Cut to `size` bytes with the end, and not inside a letter of UTF-8.
+void copy_text(const std::string& text, char* to, std::size_t size) {
+    if (!to || size == 0) return;
+    std::size_t length = std::min(text.size(), size - 1);
+    while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;
+    std::memcpy(to, text.data(), length);
+    to[length] = 0;
+}
+
+void tell_warnings(const lancret_context& context, const GroomGuides& source) {
+    for (const std::string& warning : source.warnings) {
+        log(context, LANCRET_LOG_WARNING, warning);
+    }
+    if (source.snapped_roots > 0) {
+        log(context, LANCRET_LOG_WARNING,
+            fmt::format("{} of {} guide roots were off the scalp and were put on it; the "
+                        "farthest moved {:.3f} cm",
+                        source.snapped_roots, source.guides.size(), source.largest_snap));
+    }
+}
+
+std::shared_ptr<const Prepared> prepare(lancret_context& context, const Source& source) {
+    const Groom groom = read_groom_source(source.settings);
+    return context.grooms.get(key_of(source, groom), [&] {
+        const auto stage = [&](const char* name) {
+            stop_if_cancelled();
+            log(context, LANCRET_LOG_INFO, fmt::format("{}: {}", groom.name, name));
+        };
+        auto out = std::make_shared<const Prepared>(
+            make_chunked_groom(groom, source.chunk_strands, stage));
+        stop_if_cancelled();
+        tell_warnings(context, out->generator().source);
+        return out;
+    });
+}
+
+lancret_info info_of(const Prepared& groom) {
+    const Generator& generator = groom.generator();
+    const SceneUnits& scene = generator.groom.scene;
+    lancret_info out{};
+    out.chunks = lancret_u32(groom.groom.chunks.size());
+    out.strands = lancret_u32(groom.groom.places.size());
+    out.guides = lancret_u32(generator.source.guides.size());
+    out.segments = lancret_u32(generator.source.guides.segments);
+    out.intervals = lancret_u32(generator.profiles.count);
+    out.neighbours = lancret_u32(generator.binding.neighbours);
+    out.cm_per_unit = float(scene.centimetres_per_unit());
+    for (int i = 0; i < 3; ++i) out.up[i] = float(scene.up[i]);
+    out.load_seconds = generator.seconds.load;
+    out.fit_seconds = generator.seconds.fit;
+    out.bind_seconds = generator.seconds.bind;
+    out.bytes = groom.bytes();
+    return out;
+}
+
+}  // namespace
+
+}  // namespace lancret::abi
+
+using namespace lancret::abi;
+
+const char* lancret_version(void) { return LANCRET_VERSION; }
+
+int lancret_abi_version(void) { return LANCRET_ABI_VERSION; }
+
+lancret_status lancret_create(int abi_version, const lancret_host* host,
+                              lancret_context** context) {
+    if (!context) return LANCRET_BAD_CALL;
+    *context = nullptr;
+    if (abi_version != LANCRET_ABI_VERSION) return LANCRET_BAD_CALL;
+    try {
+        const lancret_host given =
+            host ? read_sized(host, "lancret_host") : lancret_host{};
+        if (!given.allocate != !given.release || given.threads < 0)
+            return LANCRET_BAD_CALL;
+        *context = new lancret_context(given);
+        return LANCRET_OK;
+    } catch (const BadCall&) {
+        return LANCRET_BAD_CALL;
+    } catch (const std::bad_alloc&) {
+        return LANCRET_OUT_OF_MEMORY;
+    } catch (...) {
+        return LANCRET_FAILED;
+    }
+}
+
+void lancret_destroy(lancret_context* context) { delete context; }
+
+lancret_status lancret_open(lancret_context* context, const lancret_source* source,
+                            lancret_groom** groom, char* error, std::size_t error_size) {
+    if (error && error_size > 0) *error = 0;
+    if (groom) *groom = nullptr;
+    if (!context || !groom) return LANCRET_BAD_CALL;
+    std::string text;
+    const lancret_status status = run(
+        *context,
+        [&] {
+            auto own = prepare(*context, read_source(source));
+            *groom = new lancret_groom{*context, std::move(own)};
+        },
+        &text);
+    copy_text(text, error, error_size);
+    return status;
+}
+
+void lancret_close(lancret_groom* groom) { delete groom; }
+
+lancret_status lancret_get_info(const lancret_groom* groom, lancret_info* info) {
+    if (!groom) return LANCRET_BAD_CALL;
+    return run(groom->context,
+               [&] { write_sized(info, info_of(*groom->own), "lancret_info"); });
+}
+
+lancret_status lancret_get_guides(const lancret_groom* groom, lancret_guides* guides) {
+    if (!groom) return LANCRET_BAD_CALL;
+    return run(groom->context, [&] {
+        const lancret::Guides& from = groom->own->generator().source.guides;
+        const GuideArrays& arrays = groom->own->guides;
+        static_assert(sizeof(lancret::Vec3) == 3 * sizeof(double));
+        lancret_guides out{};
+        out.guides = lancret_u32(from.size());
+        out.segments = lancret_u32(from.segments);
+        out.root_positions = from.root_positions.data()->data();
+        out.root_frames = arrays.root_frames.data();
+        out.segment_lengths = from.segment_lengths.data();
+        out.curvatures = from.curvatures.data()->data();
+        out.fit_rms = arrays.fit_rms.empty() ? nullptr : arrays.fit_rms.data();
+        write_sized(guides, out, "lancret_guides");
+    });
+}

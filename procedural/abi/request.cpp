@@ -1,0 +1,63 @@
+#include "procedural/abi/request.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "procedural/density.h"
+
+namespace lancret::abi {
+
+namespace {
+
+constexpr std::size_t kMostTimes = 64;
+constexpr std::uint32_t kKnownAttributes =
+    LANCRET_TANGENTS | LANCRET_NORMALS | LANCRET_IDS | LANCRET_ROOT_UV | LANCRET_LENGTHS |
+    LANCRET_GUIDES | LANCRET_ARC_LENGTHS | LANCRET_RANDOM;
+
+/// Written so that a NaN is refused.
+bool is_share(double x) { return x >= 0 && x <= 1; }
+bool is_amount(double x) { return x >= 0 && x <= 1e30; }
+
+}  // namespace
+
+Request read_request(const Prepared& groom, std::uint32_t chunk,
+                     const lancret_options* options) {
+    require(chunk < groom.groom.chunks.size(), "there is no such chunk");
+    lancret_options in{};
+    in.size = sizeof in;
+    if (options) in = read_sized(options, "lancret_options and its size");
+    require(in.time_count <= kMostTimes && (in.times || in.time_count == 0),
+            "lancret_options: times");
+    require(in.basis >= LANCRET_LINEAR && in.basis <= LANCRET_HERMITE,
+            "lancret_options: basis");
+    require(is_amount(in.max_error), "lancret_options: max_error");
+    require(is_share(in.density), "lancret_options: density");
+    require(is_amount(in.pixels) && is_amount(in.strands_a_pixel),
+            "lancret_options: pixels and strands_a_pixel");
+    require(is_amount(in.unit) && (in.unit == 0 || in.unit >= 1e-6f),
+            "lancret_options: unit");
+    require((in.attributes & ~kKnownAttributes) == 0, "lancret_options: attributes");
+
+    Request out;
+    out.times.assign(in.times, in.times + in.time_count);
+    require(std::ranges::all_of(out.times, [](double t) { return std::isfinite(t); }),
+            "lancret_options: a time is not finite");
+    if (out.times.empty()) out.times = {0};
+    out.basis = in.basis;
+    require(in.basis == LANCRET_BSPLINE || in.basis == LANCRET_HERMITE,
+            "lancret_options: basis");
+    const Generator& generator = groom.generator();
+    out.intervals = generator.profiles.count;
+    out.density = in.density > 0 ? in.density : generator.groom.density;
+    if (in.strands_a_pixel > 0) {
+        out.density = std::min(out.density,
+                               lod_density(in.pixels, groom.groom.chunks.of(chunk).size(),
+                                           in.strands_a_pixel));
+    }
+    out.density = std::max(out.density, kLeastDensity);
+    out.attributes = in.attributes;
+    if (in.unit > 0) out.scale = 1 / double(in.unit);
+    return out;
+}
+
+}  // namespace lancret::abi

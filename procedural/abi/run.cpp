@@ -1,0 +1,105 @@
+#include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
+
+#include <cfenv>
+#include <exception>
+
+#include "guides/errors.h"
+#include "procedural/abi/handles.h"
+
+namespace lancret::abi {
+
+namespace {
+
+/// The processor's rounding, traps and treatment of tiny numbers as a program finds them,
+/// whatever the host has changed, until this ends.
+class PlainArithmetic {
+  public:
+    PlainArithmetic() {
+        std::fegetenv(&before_);
+        std::fesetenv(FE_DFL_ENV);
+    }
+    ~PlainArithmetic() { std::fesetenv(&before_); }
+    PlainArithmetic(const PlainArithmetic&) = delete;
+    PlainArithmetic& operator=(const PlainArithmetic&) = delete;
+
+  private:
+    std::fenv_t before_;
+};
+
+/// One call that the host may cancel.
+class Call {
+  public:
+    explicit Call(CancelWatch& watch) : watch_(watch) {
+        if (watch_.cancelled()) throw Cancelled();
+        watch_.add(group_);
+    }
+    ~Call() { watch_.remove(group_); }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+
+    void run(const std::function<void()>& work, int threads) {
+        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        std::exception_ptr thrown;
+        bool done = false;
+        arena.execute([&] {
+            tbb::task_group tasks(group_);
+            // Thrown past TBB it would be lost where the group was cancelled before.
+            tasks.run_and_wait([&] {
+                try {
+                    work();
+                    done = true;
+                } catch (...) {
+                    thrown = std::current_exception();
+                }
+            });
+        });
+        // Of work that was cut short whatever it says is wrong.
+        if (!done && group_.is_group_execution_cancelled()) throw Cancelled();
+        if (thrown) std::rethrow_exception(thrown);
+    }
+
+  private:
+    CancelWatch& watch_;
+    tbb::task_group_context group_{tbb::task_group_context::isolated,
+                                   tbb::task_group_context::fp_settings};
+};
+
+}  // namespace
+
+void log(const lancret_context& context, int level, const std::string& text) {
+    if (context.host.log) context.host.log(context.host.user, level, text.c_str());
+}
+
+lancret_status run(lancret_context& context, const std::function<void()>& work,
+                   std::string* error) noexcept {
+    const auto tell = [&](lancret_status status, const char* text) noexcept {
+        try {
+            if (error) *error = text;
+            if (status != LANCRET_CANCELLED) log(context, LANCRET_LOG_ERROR, text);
+        } catch (...) {  // no memory for the words: the status says enough
+        }
+        return status;
+    };
+    try {
+        const PlainArithmetic plain;
+        Call(context.cancel).run(work, context.host.threads);
+        return LANCRET_OK;
+    } catch (const SinkEnded& ended) {
+        return ended.status;
+    } catch (const InputError& fault) {
+        return tell(LANCRET_BAD_INPUT, fault.what());
+    } catch (const BadCall& fault) {
+        return tell(LANCRET_BAD_CALL, fault.what);
+    } catch (const Cancelled& cancelled) {
+        return tell(LANCRET_CANCELLED, cancelled.what());
+    } catch (const std::bad_alloc&) {
+        return tell(LANCRET_OUT_OF_MEMORY, "out of memory");
+    } catch (const std::exception& fault) {
+        return tell(LANCRET_FAILED, fault.what());
+    } catch (...) {
+        return tell(LANCRET_FAILED, "unknown");
+    }
+}
+
+}  // namespace lancret::abi

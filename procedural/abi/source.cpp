@@ -1,0 +1,79 @@
+#include "procedural/abi/source.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <system_error>
+
+#include "procedural/chunks.h"
+
+namespace lancret::abi {
+
+namespace {
+
+constexpr std::size_t kMostParameters = 1 << 16;
+constexpr std::uint32_t kMostChunkStrands = 1'000'000;
+
+/// Length first, so that two texts side by side are not taken for two others.
+void add(std::string& key, std::string_view text) {
+    fmt::format_to(std::back_inserter(key), "{}:{};", text.size(), text);
+}
+
+void add_file(std::string& key, const std::filesystem::path& file) {
+    add(key, file.string());
+    if (file.empty()) return;
+    std::error_code unknown;  // a file that is not there has no size
+    const auto size = std::filesystem::file_size(file, unknown);
+    const auto time = std::filesystem::last_write_time(file, unknown);
+    add(key, fmt::format("{} {}", size, time.time_since_epoch().count()));
+}
+
+}  // namespace
+
+Source read_source(const lancret_source* given) {
+    const auto in = read_sized(given, "lancret_source and its size");
+    require(in.path || in.text, "lancret_source: neither path nor text");
+    require(in.parameter_count <= kMostParameters, "lancret_source: parameter_count");
+    require(in.parameters || in.parameter_count == 0, "lancret_source: parameters");
+    require(in.chunk_strands <= kMostChunkStrands, "lancret_source: chunk_strands");
+    Source out;
+    if (in.path) out.settings.path = in.path;
+    if (in.text) out.settings.text = in.text;
+    if (in.folder) out.settings.folder = in.folder;
+    for (std::size_t i = 0; i < in.parameter_count; ++i) {
+        const lancret_parameter& p = in.parameters[i];
+        require(p.name, "lancret_parameter: name");
+        GroomParameter& to = out.settings.parameters.emplace_back();
+        to.name = p.name;
+        if (p.text) to.text = p.text;
+        to.number = p.number;
+    }
+    out.chunk_strands = in.chunk_strands ? in.chunk_strands : kStrandsAChunk;
+    return out;
+}
+
+std::string key_of(const Source& source, const Groom& groom) {
+    std::string key;
+    const GroomSource& s = source.settings;
+    add_file(key, s.path);
+    add(key, s.text ? *s.text : "");
+    std::error_code unknown;
+    add(key,
+        std::filesystem::absolute(s.folder.empty() ? "." : s.folder, unknown).string());
+    for (const GroomParameter& p : s.parameters) {
+        add(key, p.name);
+        add(key, p.text ? *p.text : "");
+        add(key, fmt::format("{} {}", p.text.has_value(),
+                             std::bit_cast<std::uint64_t>(p.number)));
+    }
+    add(key, std::to_string(source.chunk_strands));
+    add(key, groom.name);
+    add_file(key, groom.name);
+    for (const auto& file : {groom.strands_file, groom.guides_file, groom.scalp_file,
+                             groom.regions.texture, groom.regions.ids}) {
+        add_file(key, file);
+    }
+    return key;
+}
+
+}  // namespace lancret::abi

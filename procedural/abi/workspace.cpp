@@ -1,0 +1,74 @@
+#include "procedural/abi/workspace.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
+#include "procedural/buffer.h"
+
+namespace lancret::abi {
+
+namespace {
+
+constexpr std::size_t kLine = 64;
+/// Workspaces beyond these are given back: more calls at once than that are rare.
+constexpr std::size_t kMostIdle = 64;
+
+}  // namespace
+
+void* Workspace::take(std::size_t bytes) {
+    if (next_ == blocks_.size()) blocks_.emplace_back();
+    Block& block = blocks_[next_++];
+    // A block far too large is not held on to either.
+    if (block.data && block.bytes >= bytes && block.bytes / 8 <= bytes) return block.data;
+    release(block);
+    // Some room, so that chunks of nearly one size share it.
+    const std::size_t wanted =
+        host_.allocate ? std::max(bytes, kLine) : bytes + bytes / 8 + kLine;
+    block.data = host_.allocate ? host_.allocate(host_.user, wanted, kLine)
+                                : untouched_memory(wanted);
+    if (!block.data) throw std::bad_alloc();
+    block.bytes = wanted;
+    return block.data;
+}
+
+void Workspace::rewind() {
+    next_ = 0;
+    if (host_.allocate) clear();
+}
+
+void Workspace::release(Block& block) {
+    if (!block.data) return;
+    if (host_.release) {
+        host_.release(host_.user, block.data, block.bytes);
+    } else {
+        std::free(block.data);
+    }
+    block = {};
+}
+
+void Workspace::clear() {
+    for (Block& block : blocks_) release(block);
+    blocks_.clear();
+}
+
+std::unique_ptr<Workspace> Workspaces::take() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!idle_.empty()) {
+            auto out = std::move(idle_.back());
+            idle_.pop_back();
+            return out;
+        }
+    }
+    return std::make_unique<Workspace>(host_);
+}
+
+void Workspaces::give(std::unique_ptr<Workspace> workspace) {
+    workspace->rewind();
+    const std::lock_guard lock(mutex_);
+    idle_.reserve(kMostIdle);
+    if (idle_.size() < kMostIdle) idle_.push_back(std::move(workspace));
+}
+
+}  // namespace lancret::abi

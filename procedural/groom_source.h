@@ -1,0 +1,37 @@
+#pragma once
+// Where a groom's settings come from: files of several kinds, a text, values laid over.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "procedural/groom.h"
+
+namespace lancret {
+
+/// A value for the key `name` of a groom's TOML, such as "strands.count".
+struct GroomParameter {
+    std::string name;
+    std::optional<std::string> text;  ///< else a number, or 0 or 1 of a boolean
+    double number = 0;
+};
+
+struct GroomSource {
+    std::filesystem::path path;       ///< .toml, .hair or .h5; or empty
+    std::optional<std::string> text;  ///< of a TOML, in place of the file's
+    std::filesystem::path folder;     ///< that `text` names files from; empty: of `path`
+    std::vector<GroomParameter> parameters;
+};
+
+/// The groom that a file of strands or guides is by itself.
+Groom groom_of_file(const std::filesystem::path& file);
+
+/// The groom that a cache of guides names, where it is a .toml that is there; else
+/// nothing: then the guides stand by themselves.
+std::filesystem::path groom_of_cache(const std::filesystem::path& cache);
+
+/// The groom of a source. The tables [camera], [light], [material], [render], [dynamics]
+/// and [[colliders]] belong to others and are not looked at. Throws InputError.
+Groom read_groom_source(const GroomSource& source);
+
+}  // namespace lancret

@@ -1,0 +1,199 @@
+/* A host in C89 that knows nothing but the header: loads the library, opens a groom,
+ * expands it in every way, and says on its last line what it found.
+ *
+ *     host LIBRARY GROOM.toml
+ */
+#include <dlfcn.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "procedural/lancret_procedural.h"
+
+static int failures = 0;
+
+static void expect(int kept, const char *what, int line) {
+    if (kept) return;
+    printf("host.c:%d: %s\n", line, what);
+    ++failures;
+}
+#define EXPECT(x) expect((x) != 0, #x, __LINE__)
+
+/* ISO C has no conversion from an object pointer to a function's. */
+static void load(void *library, const char *name, void *function) {
+    void *symbol = dlsym(library, name);
+    if (!symbol) {
+        printf("no symbol %s\n", name);
+        exit(2);
+    }
+    memcpy(function, &symbol, sizeof symbol);
+}
+
+static struct {
+    const char *(*version)(void);
+    int (*abi_version)(void);
+    lancret_status (*create)(int, const lancret_host *, lancret_context **);
+    void (*destroy)(lancret_context *);
+    lancret_status (*open)(lancret_context *, const lancret_source *, lancret_groom **, char *,
+                           size_t);
+    void (*close)(lancret_groom *);
+    lancret_status (*get_info)(const lancret_groom *, lancret_info *);
+    lancret_status (*get_guides)(const lancret_groom *, lancret_guides *);
+    lancret_status (*bound)(const lancret_groom *, lancret_u32, const lancret_options *, int,
+                            float[6]);
+    lancret_status (*expand)(const lancret_groom *, lancret_u32, const lancret_options *,
+                             lancret_sink, void *);
+    lancret_status (*chunk_open)(const lancret_groom *, lancret_u32, const lancret_options *,
+                                 lancret_chunk **);
+    lancret_status (*chunk_sizes)(const lancret_chunk *, lancret_curves *);
+    lancret_status (*chunk_write)(const lancret_chunk *, const lancret_curves *);
+    void (*chunk_close)(lancret_chunk *);
+} lancret;
+
+static void load_all(void *library) {
+    load(library, "lancret_version", &lancret.version);
+    load(library, "lancret_abi_version", &lancret.abi_version);
+    load(library, "lancret_create", &lancret.create);
+    load(library, "lancret_destroy", &lancret.destroy);
+    load(library, "lancret_open", &lancret.open);
+    load(library, "lancret_close", &lancret.close);
+    load(library, "lancret_get_info", &lancret.get_info);
+    load(library, "lancret_get_guides", &lancret.get_guides);
+    load(library, "lancret_bound", &lancret.bound);
+    load(library, "lancret_expand", &lancret.expand);
+    load(library, "lancret_chunk_open", &lancret.chunk_open);
+    load(library, "lancret_chunk_sizes", &lancret.chunk_sizes);
+    load(library, "lancret_chunk_write", &lancret.chunk_write);
+    load(library, "lancret_chunk_close", &lancret.chunk_close);
+}
+
+/* What a sink sees, to be compared with what a buffer holds. */
+struct seen {
+    lancret_u32 strands, points;
+    float *positions;
+    float box[6];
+    int outside;
+};
+
+static lancret_status look(void *user, const lancret_curves *curves) {
+    struct seen *seen = user;
+    size_t bytes = (size_t)curves->points * 4 * sizeof(float);
+    size_t sum = 0;
+    lancret_u32 i;
+    int axis;
+    seen->strands = curves->strands;
+    seen->points = curves->points;
+    seen->positions = realloc(seen->positions, bytes);
+    memcpy(seen->positions, curves->positions[0], bytes);
+    for (i = 0; i < curves->strands; ++i) sum += curves->counts[i];
+    EXPECT(sum == curves->points);
+    seen->outside = 0;
+    for (i = 0; i < curves->points; ++i) {
+        const float *p = curves->positions[0] + (size_t)4 * i;
+        for (axis = 0; axis < 3; ++axis) {
+            if (!(p[axis] >= seen->box[axis] && p[axis] <= seen->box[3 + axis])) {
+                ++seen->outside;
+            }
+        }
+    }
+    return LANCRET_OK;
+}
+
+static lancret_status refuse(void *user, const lancret_curves *curves) {
+    (void)user;
+    (void)curves;
+    return LANCRET_CANCELLED;
+}
+
+static void try_chunk(lancret_groom *groom, lancret_u32 chunk, int basis, struct seen *seen) {
+    lancret_options options;
+    lancret_chunk *bound = NULL;
+    lancret_curves curves;
+    float *points;
+    const float *times[1];
+    memset(&options, 0, sizeof options);
+    options.size = sizeof options;
+    options.basis = basis;
+    EXPECT(lancret.bound(groom, chunk, &options, LANCRET_REACH, seen->box) == LANCRET_OK);
+    EXPECT(lancret.expand(groom, chunk, &options, look, seen) == LANCRET_OK);
+    EXPECT(seen->outside == 0);
+    EXPECT(lancret.bound(groom, chunk, &options, LANCRET_TIGHT, seen->box) == LANCRET_OK);
+    EXPECT(lancret.expand(groom, chunk, &options, look, seen) == LANCRET_OK);
+    /* It holds the curves: and so the points of those that pass through all of them. */
+    EXPECT(seen->outside == 0 || (basis != LANCRET_LINEAR && basis != LANCRET_HERMITE));
+    EXPECT(lancret.expand(groom, chunk, &options, refuse, NULL) == LANCRET_CANCELLED);
+
+    EXPECT(lancret.chunk_open(groom, chunk, &options, &bound) == LANCRET_OK);
+    memset(&curves, 0, sizeof curves);
+    curves.size = sizeof curves;
+    EXPECT(lancret.chunk_sizes(bound, &curves) == LANCRET_OK);
+    EXPECT(curves.points == seen->points && curves.strands == seen->strands);
+    /* 16 bytes a point, aligned as malloc aligns. */
+    points = malloc((size_t)curves.points * 16);
+    times[0] = points;
+    curves.positions = times;
+    EXPECT(lancret.chunk_write(bound, &curves) == LANCRET_OK);
+    EXPECT(memcmp(points, seen->positions, (size_t)curves.points * 16) == 0);
+    free(points);
+    lancret.chunk_close(bound);
+}
+
+int main(int argc, char **argv) {
+    void *library;
+    lancret_context *context = NULL;
+    lancret_groom *groom = NULL;
+    lancret_source source;
+    lancret_info info;
+    lancret_guides guides;
+    struct seen seen;
+    char error[256];
+    unsigned long strands = 0;
+    lancret_u32 i;
+    int basis;
+    if (argc != 3) return 2;
+    library = dlopen(argv[1], RTLD_NOW | RTLD_LOCAL);
+    if (!library) {
+        printf("%s\n", dlerror());
+        return 2;
+    }
+    load_all(library);
+    EXPECT(lancret.abi_version() == LANCRET_ABI_VERSION);
+    EXPECT(strlen(lancret.version()) > 0);
+    EXPECT(lancret.create(LANCRET_ABI_VERSION + 1, NULL, &context) == LANCRET_BAD_CALL);
+    EXPECT(lancret.create(LANCRET_ABI_VERSION, NULL, &context) == LANCRET_OK);
+
+    memset(&source, 0, sizeof source);
+    source.size = sizeof source;
+    source.path = "nowhere.toml";
+    EXPECT(lancret.open(context, &source, &groom, error, sizeof error) == LANCRET_BAD_INPUT);
+    EXPECT(strstr(error, "nowhere.toml") != NULL && groom == NULL);
+    source.path = argv[2];
+    if (lancret.open(context, &source, &groom, error, sizeof error) != LANCRET_OK) {
+        printf("%s\n", error);
+        return 1;
+    }
+    memset(&info, 0, sizeof info);
+    info.size = sizeof info;
+    EXPECT(lancret.get_info(groom, &info) == LANCRET_OK);
+    EXPECT(info.chunks > 0 && info.strands > 0 && info.guides > 0);
+    memset(&guides, 0, sizeof guides);
+    guides.size = sizeof guides;
+    EXPECT(lancret.get_guides(groom, &guides) == LANCRET_OK);
+    EXPECT(guides.guides == info.guides && guides.segments == info.segments);
+    memset(&seen, 0, sizeof seen);
+    for (i = 0; i < info.chunks; ++i) {
+        for (basis = LANCRET_BSPLINE; basis <= LANCRET_HERMITE; basis += 3) {
+            try_chunk(groom, i, basis, &seen);
+        }
+        strands += seen.strands;
+    }
+    EXPECT(strands == info.strands);
+    EXPECT(lancret.expand(groom, info.chunks, NULL, look, &seen) == LANCRET_BAD_CALL);
+    free(seen.positions);
+    lancret.close(groom);
+    lancret.destroy(context);
+    EXPECT(dlclose(library) == 0);
+    printf("%lu strands, %d failures\n", strands, failures);
+    return failures > 0;
+}
