@@ -1,0 +1,128 @@
+"""From what a caller gives to lancret_source."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from collections.abc import Iterator, Mapping
+from ctypes import POINTER, c_float, c_uint
+from typing import Any
+
+import numpy.typing as npt
+
+from . import _abi
+from .errors import InputError
+from .geometry import Mesh, Strands
+
+Parameters = Mapping[str, Any]
+
+
+def pointer_to(array: npt.NDArray[Any] | None, kind: type[Any]) -> Any:
+    """A C pointer to an array's memory, null for none. The array must outlive it."""
+    if array is None:
+        return None
+    return array.ctypes.data_as(POINTER(kind))
+
+
+def flat(parameters: Parameters, table: str = "") -> Iterator[tuple[str, Any]]:
+    """{"strands": {"count": 5}} and {"strands.count": 5} alike as ("strands.count", 5)."""
+    for key, value in parameters.items():
+        name = f"{table}{key}"
+        if isinstance(value, Mapping):
+            yield from flat(value, f"{name}.")
+        else:
+            yield name, value
+
+
+def _parameter(name: str, value: Any) -> _abi.Parameter:
+    if isinstance(value, (str, os.PathLike)):
+        return _abi.Parameter(name.encode(), os.fspath(value).encode(), 0.0)
+    try:
+        return _abi.Parameter(name.encode(), None, float(value))
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(
+            f"{name}: {value!r} is neither text nor a number nor true or false; give "
+            "lists in the TOML"
+        ) from None
+
+
+def _of_strands(strands: Strands, given: dict[str, Any]) -> dict[str, Any]:
+    """What strands say of their scene, where `given` does not."""
+    said: dict[str, Any] = {}
+    if strands.metres_per_unit is not None:
+        said["scene.metres_per_unit"] = strands.metres_per_unit
+    if strands.up is not None:
+        said["scene.up"] = strands.up
+    taper = strands.taper()
+    if taper is not None:
+        said["width.root"], said["width.tip"] = taper
+    return said | given
+
+
+class Source:
+    """A lancret_source and everything that it points to."""
+
+    def __init__(
+        self,
+        source: str | os.PathLike[str] | None,
+        *,
+        text: str | None = None,
+        folder: str | os.PathLike[str] | None = None,
+        parameters: Parameters | None = None,
+        strands: Strands | None = None,
+        scalp: Mesh | None = None,
+        chunk_strands: int = 0,
+    ) -> None:
+        if isinstance(source, str) and "\n" in source:
+            if text is not None:
+                raise InputError("the TOML's text is given twice")
+            source, text = None, source
+        values = dict(flat(parameters or {}))
+        if strands is not None:
+            values = _of_strands(strands, values)
+        self._kept: list[object] = [strands, scalp]
+        listed = (_abi.Parameter * len(values))(
+            *(_parameter(name, value) for name, value in values.items())
+        )
+        self.struct = _abi.Source(
+            path=_bytes(source),
+            text=_bytes(text),
+            folder=_bytes(folder),
+            parameters=listed,
+            parameter_count=len(values),
+            chunk_strands=chunk_strands,
+        )
+        if strands is not None:
+            self.struct.strands = ctypes.pointer(_strands(strands))
+        if scalp is not None:
+            self.struct.scalp = ctypes.pointer(_mesh(scalp))
+
+
+def _bytes(value: str | os.PathLike[str] | None) -> bytes | None:
+    if value is None:
+        return None
+    encoded = os.fsencode(value)
+    if b"\0" in encoded:
+        raise InputError("a text with a zero byte in it cannot be handed on")
+    return encoded
+
+
+def _strands(strands: Strands) -> _abi.Strands:
+    if strands.basis not in _abi.BASES:
+        raise InputError(f"basis: {strands.basis!r} is none of {', '.join(_abi.BASES)}")
+    return _abi.Strands(
+        basis=_abi.BASES[strands.basis],
+        strands=len(strands.counts),
+        counts=pointer_to(strands.counts, c_uint),
+        points=pointer_to(strands.points, c_float),
+    )
+
+
+def _mesh(mesh: Mesh) -> _abi.Mesh:
+    return _abi.Mesh(
+        vertices=len(mesh.positions),
+        triangles=len(mesh.corners),
+        positions=pointer_to(mesh.positions, c_float),
+        corners=pointer_to(mesh.corners, c_uint),
+        uvs=pointer_to(mesh.uvs, c_float),
+    )

@@ -1,0 +1,131 @@
+"""What grooms share: loaded guides, a thread limit, a log and a way to stop."""
+
+from __future__ import annotations
+
+import ctypes
+import logging
+import threading
+from collections.abc import Callable
+from types import TracebackType
+
+from . import _abi
+from ._handle import Handle
+from ._library import library
+from .errors import BY_STATUS, MEANINGS, Error, InternalError
+
+LogCallback = Callable[[str, str], None]
+CancelCallback = Callable[[], bool]
+
+_LOGGING = {"info": logging.INFO, "warning": logging.WARNING, "error": logging.ERROR}
+
+
+def log_to_logging(level: str, text: str) -> None:
+    """The default log: the logger "lancret" of Python's logging."""
+    logging.getLogger("lancret").log(_LOGGING[level], text)
+
+
+class _Callbacks:
+    """What the library calls, from any thread. Keeps the first exception of a callback,
+    which the call that it stopped then raises."""
+
+    def __init__(self, log: LogCallback, cancelled: CancelCallback | None) -> None:
+        self._log, self._cancelled = log, cancelled
+        self._lock = threading.Lock()
+        self._raised: BaseException | None = None
+        self.last_error = ""
+        self.c_log = _abi.Log(self.log)
+        self.c_cancel = _abi.Cancel(self.cancel)
+
+    def keep(self, fault: BaseException) -> None:
+        with self._lock:
+            self._raised = self._raised or fault
+
+    def take_raised(self) -> BaseException | None:
+        with self._lock:
+            raised, self._raised = self._raised, None
+        return raised
+
+    def log(self, _user: int | None, level: int, text: bytes) -> None:
+        try:
+            words = text.decode(errors="replace")
+            name = _abi.LOG_LEVELS.get(level, "error")
+            if name == "error":
+                self.last_error = words
+            self._log(name, words)
+        except BaseException as fault:  # noqa: BLE001 - must not reach C
+            self.keep(fault)
+
+    def cancel(self, _user: int | None) -> int:
+        try:  # an interrupt by Ctrl-C arrives here, too
+            if self._raised is not None:
+                return 1
+            return int(self._cancelled is not None and bool(self._cancelled()))
+        except BaseException as fault:  # noqa: BLE001
+            self.keep(fault)
+            return 1
+
+
+class Context:
+    """Grooms of one context share guides that were loaded once, told by their files,
+    parameters and frame.
+
+    threads: at most so many at once for one call; 0: as many as the machine has.
+    log: called with "info", "warning" or "error" and a text, from any thread; by default
+        Python's logging.
+    cancelled: asked every few milliseconds of work, from any thread; true ends the call
+        with `Cancelled`. An exception in it ends the call and is raised from there.
+    """
+
+    def __init__(
+        self,
+        *,
+        threads: int = 0,
+        log: LogCallback | None = None,
+        cancelled: CancelCallback | None = None,
+    ) -> None:
+        self._callbacks = _Callbacks(log or log_to_logging, cancelled)
+        host = _abi.Host(
+            log=self._callbacks.c_log, cancelled=self._callbacks.c_cancel, threads=threads
+        )
+        pointer = ctypes.c_void_p()
+        self.raise_for(
+            library().lancret_create(
+                _abi.ABI_VERSION, ctypes.byref(host), ctypes.byref(pointer)
+            )
+        )
+        callbacks = self._callbacks  # must live as long as the handle
+
+        def release(handle: int, _keep: _Callbacks = callbacks) -> None:
+            library().lancret_destroy(handle)
+
+        self.handle = Handle(pointer.value or 0, release, "context")
+
+    def raise_for(self, status: int, text: str = "") -> None:
+        """Nothing for LANCRET_OK; else the error that the status stands for."""
+        raised = self._callbacks.take_raised()
+        if raised is not None:
+            raise raised
+        if status == _abi.OK:
+            return
+        said, self._callbacks.last_error = self._callbacks.last_error, ""
+        kind: type[Error] = BY_STATUS.get(status, InternalError)
+        raise kind(text or said or MEANINGS.get(status, f"status {status}"))
+
+    def close(self) -> None:
+        """Grooms that are still open keep what they need until they are closed."""
+        self.handle.close()
+
+    def __enter__(self) -> Context:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        fault: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def __del__(self) -> None:
+        if "handle" in self.__dict__:  # else it was never made
+            self.handle.close()

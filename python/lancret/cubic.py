@@ -1,0 +1,119 @@
+"""Uniform curves of every basis: how many pieces they have, and places on them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import InputError
+
+Array = npt.NDArray[np.floating]
+
+#: Rows: powers 1, t, t^2, t^3; columns: the four control points of a piece.
+MATRICES: dict[str, npt.NDArray[np.float64]] = {
+    "bspline": np.array([[1, 4, 1, 0], [-3, 0, 3, 0], [3, -6, 3, 0], [-1, 3, -3, 1]]) / 6,
+    "catmull-rom": np.array(
+        [[0, 2, 0, 0], [-1, 0, 1, 0], [2, -5, 4, -1], [-1, 3, -3, 1]]
+    )
+    / 2,
+    "bezier": np.array(
+        [[1.0, 0, 0, 0], [-3, 3, 0, 0], [3, -6, 3, 0], [-1, 3, -3, 1]]
+    ),
+}
+#: Control points from one piece to the next.
+STEPS = {"bspline": 1, "catmull-rom": 1, "bezier": 3, "linear": 1}
+
+
+def pieces_of(count: int, basis: str) -> int:
+    """How many pieces a curve of `count` control points has. Raises InputError where
+    there can be no such curve."""
+    if basis == "linear":
+        pieces = count - 1
+    elif count < 4 or (count - 4) % STEPS[basis]:
+        pieces = 0
+    else:
+        pieces = (count - 4) // STEPS[basis] + 1
+    if pieces < 1:
+        raise InputError(
+            f"a {basis} curve of {count} points is none: it needs "
+            + {"linear": "2 or more", "bezier": "4, 7, 10, ..."}.get(basis, "4 or more")
+        )
+    return pieces
+
+
+def groups(counts: npt.NDArray[np.integer]) -> Iterator[tuple[int, Array]]:
+    """For each number of points: the strands that have it."""
+    for count in np.unique(counts):
+        yield int(count), np.flatnonzero(counts == count)
+
+
+def sample(
+    points: Array, counts: npt.NDArray[np.integer], basis: str, a_piece: int
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
+    """Places on curves at `a_piece` equal steps of the parameter in each piece, from the
+    first to the last: [points][k] and [strands]. Polylines give their corners."""
+    points, starts = np.asarray(points, dtype=np.float64), _starts(counts)
+    steps = 1 if basis == "linear" else a_piece
+    pieces = np.zeros(len(counts), dtype=np.int64)
+    for count, strands in groups(counts):
+        pieces[strands] = pieces_of(count, basis)
+    made = pieces * steps + 1
+    out = np.empty((int(made.sum()), points.shape[1]))
+    out_starts = _starts(made)
+    for count, strands in groups(counts):
+        rows = points[starts[strands][:, None] + np.arange(count)]
+        places = rows if basis == "linear" else _cubic_places(rows, basis, steps)
+        out[out_starts[strands][:, None] + np.arange(places.shape[1])] = places
+    return out, made.astype(np.uint32)
+
+
+def _starts(counts: npt.NDArray[np.integer]) -> npt.NDArray[np.int64]:
+    return np.concatenate([[0], np.cumsum(counts, dtype=np.int64)[:-1]])
+
+
+def _cubic_places(rows: Array, basis: str, steps: int) -> npt.NDArray[np.float64]:
+    """[strands][control points][k] to [strands][pieces * steps + 1][k]."""
+    strands, count, width = rows.shape
+    pieces = pieces_of(count, basis)
+    of_piece = STEPS[basis] * np.arange(pieces)[:, None] + np.arange(4)
+    t = np.arange(steps) / steps
+    weights = t[:, None] ** np.arange(4) @ MATRICES[basis]  # [steps][4]
+    places = np.einsum("tc,spck->sptk", weights, rows[:, of_piece])
+    last = np.einsum("c,sck->sk", MATRICES[basis].sum(axis=0), rows[:, of_piece[-1]])
+    return np.concatenate(
+        [places.reshape(strands, pieces * steps, width), last[:, None]], axis=1
+    )
+
+
+def hermite_as_bezier(
+    points: Array, tangents: Array, counts: npt.NDArray[np.integer]
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
+    """Hermite points and derivatives as Bezier control points."""
+    points, thirds = np.asarray(points, np.float64), np.asarray(tangents, np.float64) / 3
+    three = np.stack([points - thirds, points, points + thirds], axis=1)
+    inside = np.ones((len(points), 3), dtype=bool)
+    starts = _starts(counts)
+    inside[starts, 0] = False
+    inside[starts + np.asarray(counts, np.int64) - 1, 2] = False
+    return three[inside], (3 * np.asarray(counts, np.int64) - 2).astype(np.uint32)
+
+
+def with_phantoms(
+    values: Array, counts: npt.NDArray[np.integer]
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
+    """Each curve with a point more at either end, 2 p0 - p1: a B-spline or Catmull-Rom
+    curve then begins and ends at its own first and last point (USD's `pinned`)."""
+    values = np.asarray(values, dtype=np.float64)
+    starts, made = _starts(counts), np.asarray(counts, np.int64) + 2
+    ends = starts + np.asarray(counts, np.int64) - 1
+    out = np.empty((int(made.sum()), *values.shape[1:]))
+    out_starts = _starts(made)
+    out_ends = out_starts + made - 1
+    inside = np.ones(len(out), dtype=bool)
+    inside[out_starts] = inside[out_ends] = False
+    out[inside] = values
+    out[out_starts] = 2 * values[starts] - values[starts + 1]
+    out[out_ends] = 2 * values[ends] - values[ends - 1]
+    return out, made.astype(np.uint32)

@@ -1,0 +1,71 @@
+"""What is told of a groom."""
+
+from __future__ import annotations
+
+import dataclasses
+
+from .geometry import Doubles
+
+
+@dataclasses.dataclass(frozen=True)
+class Info:
+    chunks: int
+    strands: int  #: of all chunks at density 1
+    guides: int
+    segments: int  #: helices of a guide
+    intervals: int  #: the most a strand has
+    neighbours: int  #: guides of a strand
+    first_frame: int  #: of its cache; both 0 where nothing moves
+    last_frame: int
+    cm_per_unit: float  #: of the scene's unit
+    up: tuple[float, float, float]
+    load_seconds: float
+    fit_seconds: float
+    bind_seconds: float
+    bytes: int  #: kept while the groom is open
+
+
+@dataclasses.dataclass(frozen=True)
+class Check:
+    strands: int
+    failed: int
+    outside: int  #: of them, beyond the tight bound
+    orthogonality: float  #: max |R^T R - 1| of the frames
+    length_error: float  #: max, relative, of the strand
+    curve_length_error: float  #: max, relative, of the curve as emitted
+    distance: float  #: max, from the curve to the strand, cm
+
+    @property
+    def passed(self) -> bool:
+        return self.failed == 0 and self.outside == 0
+
+    def joined(self, other: Check) -> Check:
+        """Of both: counts added, the greatest of the rest."""
+        counts = ("strands", "failed", "outside")
+        return Check(
+            **{
+                field.name: (sum if field.name in counts else max)(
+                    (getattr(self, field.name), getattr(other, field.name))
+                )
+                for field in dataclasses.fields(Check)
+            }
+        )
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Guides:
+    """Super-Helices: `segments` helices each, root first."""
+
+    root_positions: Doubles  #: [guides][3] cm
+    root_frames: Doubles  #: [guides][3][3] columns: tangent, first, second axis
+    segment_lengths: Doubles  #: [guides][segments] cm
+    curvatures: Doubles  #: [guides][segments][3] twist and two bends, 1/cm
+    fit_rms: Doubles | None  #: [guides] cm; None where the file held guides
+
+    def __len__(self) -> int:
+        return len(self.root_positions)
+
+    @property
+    def lengths(self) -> Doubles:
+        """[guides] cm."""
+        return self.segment_lengths.sum(axis=1)

@@ -1,0 +1,114 @@
+"""Strands and meshes that a host has in memory."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import InputError
+
+Floats = npt.NDArray[np.float32]
+Doubles = npt.NDArray[np.float64]
+Counts = npt.NDArray[np.uint32]
+StrandBasis = Literal["linear", "bspline", "catmull-rom"]
+
+
+def _rows(values: npt.ArrayLike, width: int, what: str) -> Floats:
+    """`values` as C-ordered float32 [n][width]: itself where it is that already."""
+    array = np.ascontiguousarray(values, dtype=np.float32)
+    if array.ndim != 2 or array.shape[1] != width:
+        raise InputError(f"{what}: has the shape {array.shape}, not (n, {width})")
+    return array
+
+
+def _whole(values: npt.ArrayLike, what: str) -> Counts:
+    array = np.asarray(values)
+    if array.size and not np.issubdtype(array.dtype, np.integer):
+        raise InputError(f"{what}: must be whole numbers")
+    if array.size and (array.min() < 0 or array.max() >= 2**32):
+        raise InputError(f"{what}: must be from 0 to 2^32 - 1")
+    return np.ascontiguousarray(array, dtype=np.uint32)
+
+
+@dataclasses.dataclass(eq=False)
+class Strands:
+    """Hairs as points, root first."""
+
+    points: Floats  #: [sum of counts][3], in units of `metres_per_unit`
+    counts: Counts  #: [strands], points of each, >= 2; of a B-spline >= 4
+    basis: StrandBasis = "catmull-rom"
+    widths: Floats | None = None  #: [points] diameters, in the same units
+    root_uv: Floats | None = None  #: [strands][2]
+    ids: npt.NDArray[np.int64] | None = None  #: [strands]
+    metres_per_unit: float | None = None  #: none: the groom's own
+    up: Literal["X", "Y", "Z"] | None = None  #: none: the groom's own
+
+    def __post_init__(self) -> None:
+        self.points = _rows(self.points, 3, "points")
+        self.counts = _whole(self.counts, "counts")
+        if self.counts.ndim != 1:
+            raise InputError("counts: must be a list of whole numbers")
+        total = int(self.counts.sum(dtype=np.uint64))
+        if total != len(self.points):
+            raise InputError(
+                f"counts: say {total} points in all; there are {len(self.points)}"
+            )
+        least = 4 if self.basis == "bspline" else 2
+        if len(self.counts) and self.counts.min() < least:
+            raise InputError(
+                f"counts: a strand has {self.counts.min()} points; the least that a "
+                f"{self.basis} strand can have is {least}"
+            )
+        if self.widths is not None:
+            self.widths = np.ascontiguousarray(self.widths, dtype=np.float32)
+            if self.widths.shape != (len(self.points),):
+                raise InputError("widths: must be one a point")
+
+    def __len__(self) -> int:
+        return len(self.counts)
+
+    @property
+    def first(self) -> npt.NDArray[np.int64]:
+        """[strands + 1] first point of each strand, then the end."""
+        return np.concatenate([[0], np.cumsum(self.counts, dtype=np.int64)])
+
+    def strand(self, index: int) -> Floats:
+        """Points of one strand, a view."""
+        first = self.first
+        return self.points[first[index] : first[index + 1]]
+
+    def taper(self) -> tuple[float, float] | None:
+        """Median diameters at roots and at tips, cm; none without widths."""
+        if self.widths is None or not len(self):
+            return None
+        cm = 100 * (self.metres_per_unit or 0.01)
+        roots, tips = self.first[:-1], self.first[1:] - 1
+        at_roots, at_tips = self.widths[roots], self.widths[tips]
+        if self.basis == "bspline":  # control values: the curve ends inside of them
+            at_roots = (at_roots + 4 * self.widths[roots + 1] + self.widths[roots + 2]) / 6
+            at_tips = (at_tips + 4 * self.widths[tips - 1] + self.widths[tips - 2]) / 6
+        return float(np.median(at_roots)) * cm, float(np.median(at_tips)) * cm
+
+
+@dataclasses.dataclass(eq=False)
+class Mesh:
+    """Triangles that hair grows on."""
+
+    positions: Floats  #: [vertices][3], in the scene's units
+    corners: Counts  #: [triangles][3], counter-clockwise from outside
+    uvs: Floats | None = None  #: [triangles][3][2]
+
+    def __post_init__(self) -> None:
+        self.positions = _rows(self.positions, 3, "positions")
+        self.corners = _whole(self.corners, "corners")
+        if self.corners.ndim != 2 or self.corners.shape[1] != 3:
+            raise InputError(f"corners: has the shape {self.corners.shape}, not (n, 3)")
+        if self.uvs is not None:
+            self.uvs = np.ascontiguousarray(self.uvs, dtype=np.float32)
+            if self.uvs.shape != (len(self.corners), 3, 2):
+                raise InputError(
+                    f"uvs: has the shape {self.uvs.shape}, not ({len(self.corners)}, 3, 2)"
+                )

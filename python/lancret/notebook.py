@@ -1,0 +1,110 @@
+"""Pictures and plots for a notebook, by matplotlib (pip install lancret[notebook]).
+
+    lancret.notebook.picture(groom.expand(0))
+    lancret.notebook.histograms(groom.expand())
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import InputError
+
+if TYPE_CHECKING:
+    from .curves import Curves
+
+Doubles = npt.NDArray[np.float64]
+
+#: Name, the axis to the right and the one upwards, for Y up.
+_VIEWS = (("front", 0, 1), ("side", 2, 1), ("top", 0, 2))
+
+
+def _pyplot() -> Any:
+    try:
+        from matplotlib import pyplot
+    except ImportError as fault:
+        raise ImportError(
+            "lancret.notebook needs matplotlib: pip install 'lancret[notebook]'"
+        ) from fault
+    return pyplot
+
+
+def picture(
+    curves: Curves,
+    *,
+    time: int = 0,
+    most: int = 2000,
+    up: int = 1,
+    size: float = 4,
+    colour: str | None = None,
+) -> Any:
+    """A figure with three views of strands as lines, seen along the axes; at most `most`
+    of them, evenly chosen. `up` is the axis that points up, 1 for Y and 2 for Z; `time`
+    the number of one of the curves' times. Roots are dark and tips light, unless `colour`
+    says otherwise."""
+    from matplotlib.collections import LineCollection
+
+    pyplot = _pyplot()
+    lines = _lines(curves, time, most)
+    figure, axes = pyplot.subplots(
+        1, len(_VIEWS), figsize=(size * len(_VIEWS), size), layout="constrained"
+    )
+    order = np.array([0, 1, 2] if up == 1 else [0, 2, 1])
+    for axis, (name, across, upwards) in zip(axes, _VIEWS):
+        columns = order[[across, upwards]]
+        flat = [line[:, columns] for line in lines]
+        pieces = np.concatenate([np.stack([f[:-1], f[1:]], axis=1) for f in flat])
+        along = np.concatenate([np.linspace(0, 1, len(f) - 1) for f in flat])
+        look = {"colors": colour} if colour else {"array": along, "cmap": "copper"}
+        axis.add_collection(LineCollection(pieces, linewidths=0.6, alpha=0.7, **look))
+        axis.autoscale()
+        axis.set_aspect("equal")
+        axis.set_title(name)
+        axis.set_xlabel("xyz"[columns[0]])
+        axis.set_ylabel("xyz"[columns[1]])
+    pyplot.close(figure)  # a notebook shows what a cell returns: once, not twice
+    return figure
+
+
+def _lines(curves: Curves, time: int, most: int) -> list[Doubles]:
+    """Places along some of the strands."""
+    if not len(curves):
+        raise InputError("there are no strands to draw")
+    if most < 1:
+        raise InputError(f"most: must be 1 or more, not {most}")
+    places, first = curves.places(time=time)
+    some = np.unique(np.linspace(0, len(curves) - 1, min(most, len(curves))).astype(int))
+    return [places[first[i] : first[i + 1], :3] for i in some]
+
+
+def lengths_and_curvatures(curves: Curves, *, time: int = 0) -> tuple[Doubles, Doubles]:
+    """Lengths of strands, and curvatures at places inside of them (of the circle through
+    three neighbouring places), in the units of the curves and one over them."""
+    places, first = curves.places(time=time)
+    steps = np.diff(places[:, :3], axis=0)
+    chords = np.linalg.norm(steps, axis=1)
+    inside = np.ones(len(chords), dtype=bool)
+    inside[first[1:-1] - 1] = False  # from one strand to the next
+    lengths = np.add.reduceat(np.where(inside, chords, 0), first[:-1])
+    turn = np.linalg.norm(np.cross(steps[:-1], steps[1:]), axis=1)
+    across = np.linalg.norm(steps[:-1] + steps[1:], axis=1)
+    product = chords[:-1] * chords[1:] * across
+    good = inside[:-1] & inside[1:] & (product > 0)
+    return lengths, 2 * turn[good] / product[good]
+
+
+def histograms(curves: Curves, *, time: int = 0, bins: int = 60, size: float = 4) -> Any:
+    """A figure with how long strands are, and how much they bend."""
+    pyplot = _pyplot()
+    lengths, curvatures = lengths_and_curvatures(curves, time=time)
+    figure, axes = pyplot.subplots(1, 2, figsize=(2.5 * size, size), layout="constrained")
+    shown = curvatures[curvatures <= np.quantile(curvatures, 0.995)]
+    axes[0].hist(lengths, bins=bins)
+    axes[0].set(xlabel="length", ylabel="strands")
+    axes[1].hist(shown, bins=bins)
+    axes[1].set(xlabel="curvature, up to the greatest 0.5 %", ylabel="places")
+    pyplot.close(figure)
+    return figure

@@ -1,0 +1,93 @@
+"""A mesh that hair grows on."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..errors import InputError
+from ..geometry import Mesh
+from ._pxr import UsdGeom, array_of, matrix_of, moment, name_of, prims_of, stage_of, to_world
+
+
+def read_mesh(
+    source: Any, prim: str | None = None, time: float | None = None, uv: str | None = None
+) -> Mesh:
+    """A mesh in world space and the stage's units, its faces cut into triangles from
+    their first corner. A surface to be subdivided is taken as the cage that it is.
+
+    prim: of the mesh, or above it; none: the only one of the stage. uv: the primvar with
+    texture coordinates; none: `st`, else the first that has two numbers.
+    """
+    stage = stage_of(source)
+    found = prims_of(stage, prim, UsdGeom.Mesh)
+    if len(found) > 1:
+        paths = ", ".join(str(each.GetPath()) for each in found[:8])
+        raise InputError(
+            f"{stage.GetRootLayer().identifier}: has {len(found)} meshes: say which by "
+            f"`prim`: {paths}"
+        )
+    return _read_prim(found[0], moment(time), uv)
+
+
+def _read_prim(prim: Any, time: Any, uv: str | None) -> Mesh:
+    mesh = UsdGeom.Mesh(prim)
+    points = array_of(mesh.GetPointsAttr(), time, (-1, 3), np.float64)
+    counts = array_of(mesh.GetFaceVertexCountsAttr(), time, (-1,), np.int64)
+    indices = array_of(mesh.GetFaceVertexIndicesAttr(), time, (-1,), np.int64)
+    name = name_of(prim)
+    if counts.size == 0 or counts.min() < 3 or counts.sum() != len(indices):
+        raise InputError(
+            f"{name}: faceVertexCounts must be 3 or more each and make {len(indices)} "
+            "corners in all"
+        )
+    if indices.min() < 0 or indices.max() >= len(points):
+        raise InputError(f"{name}: faceVertexIndices must be from 0 to {len(points) - 1}")
+    matrix = matrix_of(prim, time)
+    corners = _fans(counts)
+    left = str(mesh.GetOrientationAttr().Get()) == "leftHanded"
+    if left != (np.linalg.det(matrix[:3, :3]) < 0):  # a mirror turns them over once more
+        corners = corners[:, ::-1]
+    uvs = _uvs(prim, time, uv, indices, len(points))
+    return Mesh(
+        positions=to_world(points, matrix),
+        corners=indices[corners],
+        uvs=None if uvs is None else uvs[corners],
+    )
+
+
+def _fans(counts: np.ndarray) -> np.ndarray:
+    """[triangles][3] places in the list of corners, each face from its first one."""
+    starts = np.cumsum(counts) - counts
+    triangles = counts - 2
+    first = np.repeat(starts, triangles)
+    second = np.arange(triangles.sum()) - np.repeat(
+        np.cumsum(triangles) - triangles, triangles
+    )
+    return np.stack([first, first + second + 1, first + second + 2], axis=1)
+
+
+def _uvs(
+    prim: Any, time: Any, uv: str | None, indices: np.ndarray, points: int
+) -> np.ndarray | None:
+    """[corners][2]; none where there are none that fit."""
+    primvars = UsdGeom.PrimvarsAPI(prim)
+    names = [uv] if uv else ["st"] + [
+        str(each.GetPrimvarName()) for each in primvars.GetPrimvarsWithValues()
+    ]
+    for name in names:
+        primvar = primvars.GetPrimvar(name)
+        value = primvar.ComputeFlattened(time) if primvar else None
+        values = np.array(value if value is not None else [], dtype=object)
+        if values.ndim != 2 or values.shape[1] != 2:
+            continue
+        values = values.astype(np.float32)
+        kind = str(primvar.GetInterpolation())
+        if kind == "faceVarying" and len(values) == len(indices):
+            return values
+        if kind in ("vertex", "varying") and len(values) == points:
+            return values[indices]
+    if uv:
+        raise InputError(f"{name_of(prim)}: has no primvar {uv} of two numbers a corner")
+    return None

@@ -1,0 +1,103 @@
+"""What is refused before the library sees it, and how it is found."""
+
+import os
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+
+import lancret
+from lancret._source import Source, flat
+
+from .support import ROOT
+
+
+class Input(unittest.TestCase):
+    def test_tables_of_parameters_are_names_with_dots(self):
+        nested = {"strands": {"count": 5, "blend": "detail"}, "width.root": 0.01}
+        self.assertEqual(
+            list(flat(nested)),
+            [("strands.count", 5), ("strands.blend", "detail"), ("width.root", 0.01)],
+        )
+
+    def test_values_are_text_or_numbers(self):
+        source = Source(None, parameters={"a": "x", "b": True, "c": 0.5})
+        values = [source.struct.parameters[i] for i in range(3)]
+        self.assertEqual([value.text for value in values], [b"x", None, None])
+        self.assertEqual([value.number for value in values], [0, 1, 0.5])
+        with self.assertRaisesRegex(lancret.InputError, r"scene.up: \[0, 1\] is neither"):
+            Source(None, parameters={"scene": {"up": [0, 1]}})
+
+    def test_text_is_told_by_its_line_breaks(self):
+        source = Source("[guides]\n")
+        self.assertEqual((source.struct.text, source.struct.path), (b"[guides]\n", None))
+        source = Source("head.toml", text="")
+        self.assertEqual((source.struct.text, source.struct.path), (b"", b"head.toml"))
+
+    def test_what_strands_know_of_their_scene_goes_before_the_toml(self):
+        strands = lancret.Strands(
+            points=np.zeros((4, 3)),
+            counts=[2, 2],
+            widths=[0.5, 0.25, 0.5, 0.25],
+            metres_per_unit=0.001,
+            up="Z",
+        )
+        source = Source(None, strands=strands, parameters={"width": {"tip": 7}})
+        count = source.struct.parameter_count
+        said = {p.name: p.text or p.number for p in source.struct.parameters[:count]}
+        self.assertEqual(said[b"scene.up"], b"Z")
+        self.assertEqual(said[b"scene.metres_per_unit"], 0.001)
+        self.assertAlmostEqual(said[b"width.root"], 0.05)
+        self.assertEqual(said[b"width.tip"], 7)
+
+    def test_arrays_that_fit_are_handed_on_without_a_copy(self):
+        points = np.zeros((4, 3), np.float32)
+        counts = np.array([4], np.uint32)
+        strands = lancret.Strands(points, counts)
+        source = Source(None, strands=strands)
+        handed = source.struct.strands.contents
+        address = np.ctypeslib.as_array(handed.points, (4, 3)).ctypes.data
+        self.assertEqual(address, points.ctypes.data)
+        self.assertIs(strands.counts, counts)
+
+    def test_arrays_that_do_not_fit_are_refused(self):
+        for points, counts, said in (
+            (np.zeros((4, 2)), [4], "shape"),
+            (np.zeros((4, 3)), [3], "say 3 points in all; there are 4"),
+            (np.zeros((4, 3)), [-1, 5], "from 0 to"),
+            (np.zeros((4, 3)), [1, 3], "a strand has 1 points"),
+            (np.zeros((4, 3)), [4.0], "whole numbers"),
+        ):
+            with self.assertRaisesRegex(lancret.InputError, said):
+                lancret.Strands(points, counts)
+        with self.assertRaisesRegex(lancret.InputError, "least that a bspline"):
+            lancret.Strands(np.zeros((3, 3)), [3], basis="bspline")
+        with self.assertRaisesRegex(lancret.InputError, "uvs: has the shape"):
+            lancret.Mesh(np.zeros((3, 3)), [[0, 1, 2]], uvs=np.zeros((3, 2)))
+
+
+class Library(unittest.TestCase):
+    def run_python(self, code, **environment):
+        return subprocess.run(
+            [sys.executable, "-c", code],
+            cwd=ROOT / "python",
+            env=os.environ | environment,
+            capture_output=True,
+            text=True,
+        )
+
+    def test_the_package_is_there_without_the_library_until_it_is_asked(self):
+        said = self.run_python(
+            "import lancret\ntry: lancret.version()\n"
+            "except lancret.LibraryNotFound as fault: print(fault)",
+            LANCRET_LIBRARY="/nowhere/lib.so",
+        )
+        self.assertIn("/nowhere/lib.so: ", said.stdout, said.stderr)
+
+    def test_usd_and_plots_are_imported_only_when_asked_for(self):
+        said = self.run_python(
+            "import lancret, lancret.notebook, sys\n"
+            "print([name for name in ('pxr', 'matplotlib') if name in sys.modules])"
+        )
+        self.assertEqual(said.stdout, "[]\n", said.stderr)

@@ -1,0 +1,345 @@
+"""BasisCurves of every basis, wrap and width interpolation as strands."""
+
+import unittest
+
+import numpy as np
+
+from lancret import InputError, Strands, cubic
+
+from .support import DATA, HAS_USD, needs_data, needs_usd
+
+if HAS_USD:
+    from pxr import Gf, Sdf, Usd, UsdGeom, Vt
+
+    from lancret import usd
+
+
+def stage_with(points, counts, kind="cubic", basis="bspline", wrap="nonperiodic"):
+    stage = Usd.Stage.CreateInMemory()
+    curves = UsdGeom.BasisCurves.Define(stage, "/hair")
+    curves.CreateTypeAttr(kind)
+    curves.CreateBasisAttr(basis)
+    curves.CreateWrapAttr(wrap)
+    curves.CreateCurveVertexCountsAttr(counts)
+    curves.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(np.float32(points)))
+    return stage, curves
+
+
+def some_points(n, seed=1):
+    return np.random.default_rng(seed).normal(size=(n, 3)).astype(np.float32)
+
+
+@needs_usd
+class Bases(unittest.TestCase):
+    def test_nonperiodic_bsplines_keep_their_control_points(self):
+        points = some_points(9)
+        stage, _ = stage_with(points, [4, 5])
+        read = usd.read(stage)
+        self.assertEqual(read.basis, "bspline")
+        self.assertEqual(read.counts.tolist(), [4, 5])
+        np.testing.assert_array_equal(read.points, points)
+
+    def test_pinned_bsplines_begin_and_end_at_their_own_points(self):
+        points = some_points(7)
+        stage, _ = stage_with(points, [2, 5], wrap="pinned")
+        read = usd.read(stage)
+        self.assertEqual(read.counts.tolist(), [4, 7])
+        places, _ = cubic.sample(read.points, read.counts, "bspline", 1)
+        np.testing.assert_allclose(places[[0, 1, 2, 6]], points[[0, 1, 2, 6]], atol=1e-6)
+
+    def test_polylines_stay_polylines_whatever_their_basis_says(self):
+        points = some_points(5)
+        stage, _ = stage_with(points, [2, 3], kind="linear", basis="bezier")
+        read = usd.read(stage)
+        self.assertEqual((read.basis, read.counts.tolist()), ("linear", [2, 3]))
+        np.testing.assert_array_equal(read.points, points)
+
+    def test_bezier_and_catmull_rom_become_places_on_the_curve(self):
+        for basis, wrap, ends in (
+            ("bezier", "nonperiodic", (0, 6)),
+            ("bezier", "pinned", (0, 6)),
+            ("catmullRom", "nonperiodic", (1, 5)),
+            ("catmullRom", "pinned", (0, 6)),
+        ):
+            with self.subTest(basis=basis, wrap=wrap):
+                points = some_points(7)
+                stage, _ = stage_with(points, [7], basis=basis, wrap=wrap)
+                read = usd.read(stage)
+                self.assertEqual(read.basis, "catmull-rom")
+                np.testing.assert_allclose(
+                    read.points[[0, -1]], points[list(ends)], atol=1e-6
+                )
+                pieces = {"bezier": 2, "catmullRom": ends[1] - ends[0]}[basis]
+                self.assertEqual(read.counts.tolist(), [8 * pieces + 1])
+
+    def test_closed_curves_are_refused_by_name(self):
+        stage, _ = stage_with(some_points(5), [5], wrap="periodic")
+        with self.assertRaisesRegex(InputError, r":/hair: wrap is periodic"):
+            usd.read(stage)
+
+    def test_bases_that_usd_no_longer_has_are_refused(self):
+        stage, _ = stage_with(some_points(5), [5], basis="hermite")
+        with self.assertRaisesRegex(InputError, "basis is hermite"):
+            usd.read(stage)
+
+    def test_counts_that_do_not_fit_are_refused(self):
+        for counts, said in (([4], "the sum 4"), ([1, 4], "the least is 1"), ([2, 3], "needs 4")):
+            stage, _ = stage_with(some_points(5), counts)
+            with self.assertRaisesRegex(InputError, f":/hair: .*{said}"):
+                usd.read(stage)
+        stage, _ = stage_with(some_points(5), [5], basis="bezier")
+        with self.assertRaisesRegex(InputError, "bezier curve of 5 points"):
+            usd.read(stage)
+
+    def test_points_that_are_no_numbers_are_refused(self):
+        points = some_points(4)
+        points[2, 1] = np.nan
+        stage, _ = stage_with(points, [4])
+        with self.assertRaisesRegex(InputError, ":/hair: points has a number"):
+            usd.read(stage)
+
+    def test_a_stage_without_curves_says_so(self):
+        with self.assertRaisesRegex(InputError, "no BasisCurves"):
+            usd.read(Usd.Stage.CreateInMemory())
+        with self.assertRaisesRegex(InputError, "no such file"):
+            usd.read("/nowhere/hair.usda")
+
+
+@needs_usd
+class Widths(unittest.TestCase):
+    def test_every_interpolation_fits_what_usd_itself_says(self):
+        """UsdGeomBasisCurves tells the interpolation of a size: ours must agree."""
+        for basis, wrap, counts in (
+            ("bspline", "nonperiodic", [4, 6]),
+            ("bspline", "pinned", [4, 6]),
+            ("catmullRom", "nonperiodic", [4, 6]),
+            ("catmullRom", "pinned", [4, 6]),
+            ("bezier", "nonperiodic", [4, 7]),
+            ("bezier", "pinned", [4, 7]),
+        ):
+            for kind in ("constant", "uniform", "varying", "vertex"):
+                with self.subTest(basis=basis, wrap=wrap, kind=kind):
+                    stage, curves = stage_with(
+                        some_points(sum(counts)), counts, basis=basis, wrap=wrap
+                    )
+                    size = {
+                        "constant": 1,
+                        "uniform": 2,
+                        "vertex": sum(counts),
+                        "varying": curves.ComputeVaryingDataSize(Usd.TimeCode.Default())
+                        if hasattr(curves, "ComputeVaryingDataSize")
+                        else self.varying(curves, sum(counts)),
+                    }[kind]
+                    curves.CreateWidthsAttr([0.5] * size)
+                    curves.SetWidthsInterpolation(kind)
+                    read = usd.read(stage)
+                    np.testing.assert_allclose(read.widths, 0.5, rtol=1e-6)
+
+    @staticmethod
+    def varying(curves, most):
+        """The one size, of those up to `most`, that USD takes for varying; vertex where
+        both are the same."""
+        time = Usd.TimeCode.Default()
+        sizes = range(3, most + 1)
+        told = {n: str(curves.ComputeInterpolationForSize(n, time)) for n in sizes}
+        return next((n for n in sizes if told[n] == "varying"), most)
+
+    def test_pinned_varying_widths_may_be_one_a_point(self):
+        """The ends of pieces, of which a pinned curve has one fewer than points."""
+        stage, curves = stage_with(some_points(5), [5], basis="catmullRom", wrap="pinned")
+        curves.CreateWidthsAttr([1, 2, 4, 8, 16])
+        curves.SetWidthsInterpolation("varying")
+        np.testing.assert_allclose(usd.read(stage).widths[::8], [1, 2, 4, 8, 16])
+
+    def test_vertex_widths_are_control_values_of_the_same_curve(self):
+        stage, curves = stage_with(some_points(4), [4], basis="bezier")
+        curves.CreateWidthsAttr([1, 2, 4, 8])
+        curves.SetWidthsInterpolation("vertex")
+        widths = usd.read(stage).widths
+        self.assertEqual((widths[0], widths[-1]), (1, 8))
+        self.assertAlmostEqual(float(widths[4]), (1 + 3 * 2 + 3 * 4 + 8) / 8, places=6)
+
+    def test_varying_widths_are_linear_between_the_ends_of_pieces(self):
+        stage, curves = stage_with(some_points(7), [7], basis="bezier")
+        curves.CreateWidthsAttr([1, 2, 4])
+        curves.SetWidthsInterpolation("varying")
+        expected = np.concatenate([np.linspace(1, 2, 9), np.linspace(2, 4, 9)[1:]])
+        np.testing.assert_allclose(usd.read(stage).widths, expected, rtol=1e-6)
+
+    def test_a_tapers_ends_are_those_of_the_curve(self):
+        stage, curves = stage_with(some_points(5), [5], wrap="pinned")
+        curves.CreateWidthsAttr([0.5, 0.4, 0.3, 0.2, 0.1])
+        curves.SetWidthsInterpolation("vertex")
+        UsdGeom.SetStageMetersPerUnit(stage, 1)
+        np.testing.assert_allclose(usd.read(stage).taper(), (50, 10), rtol=1e-5)
+
+    def test_widths_of_no_fitting_number_are_refused(self):
+        stage, curves = stage_with(some_points(9), [4, 5])
+        curves.CreateWidthsAttr([1, 2, 3, 4])
+        curves.SetWidthsInterpolation("vertex")
+        with self.assertRaisesRegex(InputError, "widths are vertex, and so should be 9"):
+            usd.read(stage)
+
+
+@needs_usd
+class Places(unittest.TestCase):
+    def test_points_and_widths_are_in_world_space(self):
+        stage, curves = stage_with([[1, 0, 0], [2, 0, 0]], [2], kind="linear")
+        curves.CreateWidthsAttr([0.1])
+        curves.SetWidthsInterpolation("constant")
+        UsdGeom.Xformable(curves).AddTranslateOp().Set(Gf.Vec3d(0, 0, 5))
+        UsdGeom.Xformable(curves).AddRotateZOp().Set(90)
+        UsdGeom.Xformable(curves).AddScaleOp().Set(Gf.Vec3f(2, 2, 2))
+        read = usd.read(stage)
+        np.testing.assert_allclose(read.points, [[0, 2, 5], [0, 4, 5]], atol=1e-6)
+        np.testing.assert_allclose(read.widths, [0.2, 0.2], rtol=1e-6)
+
+    def test_units_and_axis_are_the_stages(self):
+        stage, _ = stage_with(some_points(4), [4])
+        self.assertEqual(
+            (usd.read(stage).metres_per_unit, usd.read(stage).up),
+            (UsdGeom.GetStageMetersPerUnit(stage), str(UsdGeom.GetStageUpAxis(stage))),
+        )
+        UsdGeom.SetStageMetersPerUnit(stage, 0.5)
+        UsdGeom.SetStageUpAxis(stage, "Z")
+        self.assertEqual((usd.read(stage).metres_per_unit, usd.read(stage).up), (0.5, "Z"))
+
+    def test_instances_are_read_where_they_stand(self):
+        stage, _ = stage_with(some_points(4), [4])
+        for i in range(2):
+            place = UsdGeom.Xform.Define(stage, f"/place{i}")
+            UsdGeom.Xform.Define(stage, "/proto")
+            place.AddTranslateOp().Set(Gf.Vec3d(10 * i, 0, 0))
+            place.GetPrim().GetReferences().AddInternalReference("/proto")
+            place.GetPrim().SetInstanceable(True)
+        Sdf.CopySpec(stage.GetRootLayer(), "/hair", stage.GetRootLayer(), "/proto/hair")
+        stage.RemovePrim("/hair")
+        self.assertEqual(len(usd.read(stage, "/place1")), 1)
+        np.testing.assert_allclose(
+            usd.read(stage, "/place1").points,
+            usd.read(stage, "/place0").points + [10, 0, 0],
+            atol=1e-5,
+        )
+
+    def test_several_prims_are_joined_and_their_bases_made_alike(self):
+        stage, _ = stage_with(some_points(4), [4])
+        other = UsdGeom.BasisCurves.Define(stage, "/other")
+        other.CreateTypeAttr("cubic")
+        other.CreateBasisAttr("bezier")
+        other.CreateCurveVertexCountsAttr([4])
+        other.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(some_points(4)))
+        read = usd.read(stage)
+        self.assertEqual((read.basis, read.counts.tolist()), ("catmull-rom", [9, 9]))
+        self.assertEqual(usd.read(stage, "/hair").basis, "bspline")
+        other.CreateTypeAttr("linear")
+        with self.assertRaisesRegex(InputError, "linear and cubic curves together"):
+            usd.read(stage)
+
+    def test_samples_are_read_at_their_times_and_the_first_by_default(self):
+        stage, curves = stage_with(some_points(4), [4])
+        curves.GetPointsAttr().Clear()
+        for time in (3, 7):
+            value = Vt.Vec3fArray.FromNumpy(np.full((4, 3), time, np.float32))
+            curves.GetPointsAttr().Set(value, time)
+        self.assertEqual(usd.read(stage).points[0, 0], 3)
+        self.assertEqual(usd.read(stage, time=7).points[0, 0], 7)
+        self.assertEqual(usd.read(stage, time=5).points[0, 0], 5)
+
+    def test_roots_have_their_texture_coordinates_and_ids(self):
+        stage, curves = stage_with(some_points(9), [4, 5])
+        primvars = UsdGeom.PrimvarsAPI(curves)
+        primvars.CreatePrimvar("st", Sdf.ValueTypeNames.TexCoord2fArray, "uniform").Set(
+            [(0.25, 0.5), (0.75, 1)]
+        )
+        primvars.CreatePrimvar("id", Sdf.ValueTypeNames.IntArray, "uniform").Set([7, 3])
+        read = usd.read(stage)
+        self.assertEqual(read.root_uv.tolist(), [[0.25, 0.5], [0.75, 1]])
+        self.assertEqual(read.ids.tolist(), [7, 3])
+        primvars.RemovePrimvar("st")
+        primvars.CreatePrimvar("st", Sdf.ValueTypeNames.TexCoord2fArray, "vertex").Set(
+            [(i, 0) for i in range(9)]
+        )
+        self.assertEqual(usd.read(stage).root_uv.tolist(), [[0, 0], [4, 0]])
+
+
+@needs_usd
+class Meshes(unittest.TestCase):
+    def square(self, orientation):
+        stage = Usd.Stage.CreateInMemory()
+        mesh = UsdGeom.Mesh.Define(stage, "/plane")
+        mesh.CreatePointsAttr([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0)])
+        mesh.CreateFaceVertexCountsAttr([4, 3])
+        mesh.CreateFaceVertexIndicesAttr([0, 1, 2, 3, 1, 4, 2])
+        mesh.CreateOrientationAttr(orientation)
+        return stage, mesh
+
+    def normals(self, mesh):
+        a, b, c = (mesh.positions[mesh.corners[:, k]] for k in range(3))
+        return np.cross(b - a, c - a)[:, 2]
+
+    def test_faces_are_cut_into_triangles(self):
+        read = usd.read_mesh(self.square("rightHanded")[0])
+        self.assertEqual(read.corners.tolist(), [[0, 1, 2], [0, 2, 3], [1, 4, 2]])
+        self.assertTrue((self.normals(read) > 0).all())
+
+    def test_left_hands_and_mirrors_turn_faces_over(self):
+        stage, mesh = self.square("leftHanded")
+        self.assertTrue((self.normals(usd.read_mesh(stage)) < 0).all())
+        mesh.AddScaleOp().Set(Gf.Vec3f(-1, 1, 1))
+        read = usd.read_mesh(stage)  # the mirror leaves z alone, and so the outside
+        np.testing.assert_allclose(read.positions[1], [-1, 0, 0])
+        self.assertTrue((self.normals(read) < 0).all())
+
+    def test_texture_coordinates_are_those_of_corners(self):
+        stage, mesh = self.square("rightHanded")
+        primvar = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
+            "UVMap", Sdf.ValueTypeNames.TexCoord2fArray, "faceVarying"
+        )
+        primvar.Set([(i, 0) for i in range(7)])
+        uvs = usd.read_mesh(stage).uvs
+        self.assertEqual(uvs[:, :, 0].tolist(), [[0, 1, 2], [0, 2, 3], [4, 5, 6]])
+        primvar.Set([(0, 0)])
+        self.assertIsNone(usd.read_mesh(stage).uvs)
+        with self.assertRaisesRegex(InputError, "no primvar UVMap"):
+            usd.read_mesh(stage, uv="UVMap")
+
+    def test_indices_beyond_the_points_are_refused(self):
+        stage, mesh = self.square("rightHanded")
+        mesh.CreateFaceVertexIndicesAttr([0, 1, 2, 3, 1, 5, 2])
+        with self.assertRaisesRegex(InputError, "from 0 to 4"):
+            usd.read_mesh(stage)
+
+
+@needs_usd
+@needs_data
+class RealFiles(unittest.TestCase):
+    def test_a_pinned_tuft_of_samples_alone(self):
+        read = usd.read(DATA / "tuft_bspline.usda")
+        self.assertEqual((len(read), read.basis), (1987, "bspline"))
+        self.assertTrue((read.counts == 12).all())
+        self.assertEqual((read.metres_per_unit, read.up), (1, "Y"))
+        self.assertEqual(read.ids.shape, (1987,))
+        places, counts = cubic.sample(read.points, read.counts, "bspline", 1)
+        roots = places[:: counts[0]]
+        mesh = usd.read_mesh(DATA / "tuft_bspline.usda")
+        near = np.linalg.norm(roots[:50, None] - mesh.positions[None], axis=2).min(axis=1)
+        self.assertLess(near.max(), 0.05)  # the sphere's edges are about 0.03 long
+        outwards = np.einsum(
+            "ij,ij->i",
+            np.cross(
+                mesh.positions[mesh.corners[:, 1]] - mesh.positions[mesh.corners[:, 0]],
+                mesh.positions[mesh.corners[:, 2]] - mesh.positions[mesh.corners[:, 0]],
+            ),
+            mesh.positions[mesh.corners[:, 0]],
+        )
+        self.assertGreater((outwards > 0).mean(), 0.99)  # left-handed, turned over
+
+    def test_blenders_hair_has_no_wrap_and_a_transform(self):
+        read = usd.read(DATA / "wavy_blender.usda")
+        self.assertEqual((len(read), read.basis, read.up), (72, "bspline", "Z"))
+        self.assertTrue((read.counts == 9).all())
+        self.assertIsNone(read.widths)
+        np.testing.assert_allclose(  # the file's first point, moved by its parent
+            read.points[0], [-0.24708444, -0.66069597, -2 * 0.80387932], atol=1e-6
+        )
+        self.assertIsInstance(read, Strands)
