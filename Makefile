@@ -59,11 +59,12 @@ test: deps
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
 	ctest --preset $(PRESET) --parallel $(JOBS) --label-exclude slow
 
-# Also compares with Mitsuba, which it installs into build/ where it can.
+# Also compares with Mitsuba and reads and writes USD, which it installs into build/ where it can.
 test-slow: deps
 	cmake --preset $(PRESET) -DLANCRET_TESTS=ON
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
 	LANCRET_MITSUBA_PYTHON=$$(scripts/mitsuba-python $(CURDIR)/build/mitsuba) \
+	  LANCRET_USD_PYTHON=$$(scripts/usd-python $(CURDIR)/build/usd) \
 	  ctest --preset $(PRESET) --label-regex slow
 
 bench: deps

@@ -1,9 +1,12 @@
 #pragma once
 // Giving up in the middle, when whoever asked for the work no longer wants it.
 
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_reduce.h>
 #include <oneapi/tbb/task_group.h>
 
 #include <exception>
+#include <utility>
 
 namespace lancret {
 
@@ -17,6 +20,22 @@ struct Cancelled : std::exception {
 /// nothing.
 inline void stop_if_cancelled() {
     if (tbb::is_current_task_group_canceling()) throw Cancelled();
+}
+
+/// tbb::parallel_for, but that it throws Cancelled where it was cut short: what it should
+/// have written is not there.
+template <class... Arguments>
+void cancellable_for(Arguments&&... arguments) {
+    tbb::parallel_for(std::forward<Arguments>(arguments)...);
+    stop_if_cancelled();
+}
+
+/// The same of tbb::parallel_reduce.
+template <class... Arguments>
+auto cancellable_reduce(Arguments&&... arguments) {
+    auto out = tbb::parallel_reduce(std::forward<Arguments>(arguments)...);
+    stop_if_cancelled();
+    return out;
 }
 
 }  // namespace lancret

@@ -1,6 +1,7 @@
-#include <oneapi/tbb/parallel_for.h>
 
 #include <optional>
+
+#include "guides/cancel.h"
 
 #include "guides/super_helix_fit.h"
 
@@ -12,7 +13,7 @@ FittedGuides guides_of_strands(const Strands& strands,
                                int samples, const GuideOfStrand& make) {
     std::vector<std::optional<FittedGuide>> fitted(which.size());
     std::vector<Vec3> roots(which.size());
-    tbb::parallel_for(std::size_t(0), which.size(), [&](std::size_t i) {
+    cancellable_for(std::size_t(0), which.size(), [&](std::size_t i) {
         const std::optional<Curve> curve = strand_curve(strands, which[i]);
         if (!curve) return;
         const SampledCurve target = resample(*curve, samples);

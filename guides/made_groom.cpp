@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "guides/cancel.h"
 #include "guides/hash.h"
 #include "guides/helix.h"
 #include "guides/scalp.h"
@@ -297,7 +298,7 @@ MadeGroom make_groom(const MadeGroomSettings& settings) {
     for (std::size_t i = 1; i <= count; ++i) {
         strands.first.push_back(std::uint32_t(i * points));
     }
-    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+    cancellable_for(std::size_t(0), count, [&](std::size_t i) {
         const Strand strand{settings, i, scalp_position(scalp, roots[i]),
                             scalp_normal(scalp, roots[i])};
         const std::vector<Vec3> made = strand.points();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "guides/cancel.h"
 #include "guides/hash.h"
 #include "guides/scalp.h"
 #include "guides/scalp_roots.h"
@@ -99,7 +100,7 @@ MadeGroom make_lawn(const MadeGroomSettings& settings) {
     strands.points.resize(count * points);
     for (std::size_t i = 1; i <= count; ++i)
         strands.first.push_back(std::uint32_t(i * points));
-    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+    cancellable_for(std::size_t(0), count, [&](std::size_t i) {
         const std::vector<Vec3> made =
             blade(settings, i, scalp_position(ground, roots[i]),
                   scalp_normal(ground, roots[i]));

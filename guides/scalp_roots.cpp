@@ -7,6 +7,7 @@
 #include <array>
 #include <numeric>
 
+#include "guides/cancel.h"
 #include "guides/errors.h"
 #include "guides/hash.h"
 
@@ -113,7 +114,7 @@ std::vector<MeshPoint> filtered_roots(const Scalp& scalp, const Candidates& cand
                             "least one in {}; is the region or density map empty?",
                             roots.size(), next, kMostTriesARoot));
         }
-        tbb::parallel_for(std::size_t(0), kChunksAtOnce, [&](std::size_t c) {
+        cancellable_for(std::size_t(0), kChunksAtOnce, [&](std::size_t c) {
             chunks[c].clear();
             for (std::uint64_t n = next + c * kChunk; n < next + (c + 1) * kChunk; ++n) {
                 const MeshPoint point = candidates[n];
@@ -142,7 +143,7 @@ std::vector<MeshPoint> scalp_roots(const Scalp& scalp, std::size_t count,
     }
     if (accept) return filtered_roots(scalp, candidates, count, accept);
     std::vector<MeshPoint> roots(count);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kChunk), [&](auto range) {
+    cancellable_for(tbb::blocked_range<std::size_t>(0, count, kChunk), [&](auto range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
             roots[i] = candidates[i];
     });

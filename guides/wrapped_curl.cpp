@@ -1,6 +1,5 @@
 #include "guides/wrapped_curl.h"
 
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "guides/cancel.h"
 #include "guides/curve.h"
 #include "guides/errors.h"
 #include "guides/hash.h"
@@ -61,7 +61,7 @@ Strands wrapped_in_curls(const Strands& strands, const CurlSettings& curl,
     const double most_turns = curl.turns * (1 + kMostDeviations * curl.jitter);
     const int n = std::max(kLeastPoints, int(std::ceil(kPointsPerTurn * most_turns)));
     std::vector<std::vector<Vec3f>> wound(strands.size());
-    tbb::parallel_for(std::size_t(0), strands.size(), [&](std::size_t i) {
+    cancellable_for(std::size_t(0), strands.size(), [&](std::size_t i) {
         const auto curve = strand_curve(strands, i);
         if (!curve) return;
         const SampledCurve axis = resample(*curve, n);

@@ -1,12 +1,12 @@
 #include "procedural/binding.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
 
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include "guides/cancel.h"
 #include "procedural/candidates.h"
 #include "procedural/weights.h"
 
@@ -189,7 +189,7 @@ Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals
         bound.push_back({guide_length(guides, g), is_straight(guides, g)});
     }
     const GuideIndex index(guides.root_positions, borders.guide_regions);
-    out.report = tbb::parallel_reduce(
+    out.report = cancellable_reduce(
         tbb::blocked_range<std::size_t>(0, children, 1024), BindReport(),
         [&](const tbb::blocked_range<std::size_t>& range, BindReport report) {
             Binder binder(out, guides, bound, index, settings, borders);

@@ -1,12 +1,12 @@
 #include "procedural/borders.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 
+#include "guides/cancel.h"
 #include "guides/closest_point.h"
 #include "guides/errors.h"
 #include "guides/point_tree.h"
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> nearest_regions(std::span<const std::uint32_t> region
                                            PlaceOf place_of) {
     std::vector<std::uint32_t> out(count);
     const PointTree tree(roots);
-    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+    cancellable_for(std::size_t(0), count, [&](std::size_t i) {
         std::uint32_t nearest = 0;
         double squared = 0;
         tree.nearest(place_of(i), {&nearest, 1}, {&squared, 1});

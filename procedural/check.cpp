@@ -1,12 +1,12 @@
 #include "procedural/check.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "guides/cancel.h"
 #include "procedural/check_strand.h"
 
 namespace lancret {
@@ -150,8 +150,7 @@ CheckReport check(const Binding& binding, const Guides& guides,
         };
         each_strand(binding, profiles, kernel, blend, range.begin(), range.end(), look);
     };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, binding.size(), 256),
-                      check_range);
+    cancellable_for(tbb::blocked_range<std::size_t>(0, binding.size(), 256), check_range);
     return report;
 }
 

@@ -1,12 +1,12 @@
 #include "procedural/check_chunks.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "guides/cancel.h"
 #include "procedural/check_strand.h"
 
 namespace lancret {
@@ -17,8 +17,11 @@ constexpr int kPlacesASegment = 4;
 
 /// The radius at t of a segment, linear there.
 double radius_at(const EmittedStrand& strand, std::size_t segment, double t) {
-    const std::size_t at = strand.basis == CurveBasis::hermite ? segment : segment + 1;
-    return (1 - t) * strand.points[at].w + t * strand.points[at + 1].w;
+    const bool beyond =
+        strand.basis == CurveBasis::bspline || strand.basis == CurveBasis::catmull_rom;
+    const std::size_t step = strand.basis == CurveBasis::bezier ? 3 : 1;
+    const std::size_t at = step * segment + (beyond ? 1 : 0);
+    return (1 - t) * strand.points[at].w + t * strand.points[at + step].w;
 }
 
 /// What is seen of a strand: its places with their widths.
@@ -79,7 +82,7 @@ ChunkCheck check_chunks(const Binding& binding, const GuideProfiles<float>& prof
     std::vector<Found> found(chunks.size());
     const KernelGuides guides =
         kernel_guides(profiles, binding.guide_normals, settings.blend);
-    tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t c) {
+    cancellable_for(std::size_t(0), chunks.size(), [&](std::size_t c) {
         found[c] = check_chunk(binding, profiles, guides, curves, settings, chunks.of(c));
     });
     ChunkCheck out;

@@ -24,8 +24,16 @@ Vec3 bezier_derivative(const std::array<Vec3, 4>& p, double t) {
 
 Vec3 wide(const Point4f& p) { return {p.x, p.y, p.z}; }
 
-/// Either basis as Bezier points: one evaluation for both, and not the renderer's.
+/// Any basis as Bezier points: one evaluation for all, and not the renderer's.
 std::array<Vec3, 4> bezier_points(const EmittedStrand& strand, std::size_t j) {
+    if (strand.basis == CurveBasis::bezier) {
+        const auto* p = &strand.points[3 * j];
+        return {wide(p[0]), wide(p[1]), wide(p[2]), wide(p[3])};
+    }
+    if (strand.basis == CurveBasis::linear) {
+        const Vec3 a = wide(strand.points[j]), b = wide(strand.points[j + 1]);
+        return {a, (2 * a + b) / 3, (a + 2 * b) / 3, b};
+    }
     if (strand.basis == CurveBasis::hermite) {
         const Vec3 a = wide(strand.points[j]), b = wide(strand.points[j + 1]);
         return {a, a + wide(strand.tangents[j]) / 3, b - wide(strand.tangents[j + 1]) / 3,
@@ -33,6 +41,9 @@ std::array<Vec3, 4> bezier_points(const EmittedStrand& strand, std::size_t j) {
     }
     const Vec3 a = wide(strand.points[j]), b = wide(strand.points[j + 1]);
     const Vec3 c = wide(strand.points[j + 2]), d = wide(strand.points[j + 3]);
+    if (strand.basis == CurveBasis::catmull_rom) {
+        return {b, b + (c - a) / 6, c - (d - b) / 6, c};
+    }
     return {(a + 4 * b + c) / 6, (2 * b + c) / 3, (b + 2 * c) / 3, (b + 4 * c + d) / 6};
 }
 
@@ -80,7 +91,15 @@ double orthogonality_error(std::span<const HelixState<float>> states) {
 }
 
 std::size_t EmittedStrand::segments() const {
-    return basis == CurveBasis::hermite ? points.size() - 1 : points.size() - 3;
+    switch (basis) {
+        case CurveBasis::bspline:
+        case CurveBasis::catmull_rom:
+            return points.size() - 3;
+        case CurveBasis::bezier:
+            return (points.size() - 1) / 3;
+        default:
+            return points.size() - 1;
+    }
 }
 
 Vec3 EmittedStrand::position(std::size_t segment, double t) const {

@@ -1,12 +1,12 @@
 #include "procedural/check_values.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "guides/cancel.h"
 #include "procedural/check_strand.h"
 
 namespace lancret {
@@ -34,11 +34,11 @@ StrandValues values_of(const Binding& binding, const GuideProfiles<float>& profi
             out.values[i * out.per_strand + j] = finite(figure(states, j));
         }
     };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, binding.size(), 256),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                          each_strand(binding, profiles, guides, blend, range.begin(),
-                                      range.end(), put);
-                      });
+    cancellable_for(tbb::blocked_range<std::size_t>(0, binding.size(), 256),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                        each_strand(binding, profiles, guides, blend, range.begin(),
+                                    range.end(), put);
+                    });
     return out;
 }
 

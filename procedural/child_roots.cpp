@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <numeric>
 
+#include "guides/cancel.h"
 #include "guides/errors.h"
 #include "guides/farthest_points.h"
 #include "guides/hash.h"
@@ -39,7 +39,7 @@ Roots stood_on(const Scalp& scalp, std::vector<MeshPoint> places) {
     out.positions.resize(count);
     out.normals.resize(count);
     out.uvs.resize(count);
-    tbb::parallel_for(
+    cancellable_for(
         tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 out.positions[i] = scalp_position(scalp, out.places[i]).cast<float>();
@@ -109,7 +109,7 @@ Roots own_roots(std::span<const Vec3> grown, std::span<const Vec3> tangents,
     Roots out;
     out.positions.resize(count);
     out.normals.resize(count);
-    tbb::parallel_for(std::uint32_t(0), count, [&](std::uint32_t i) {
+    cancellable_for(std::uint32_t(0), count, [&](std::uint32_t i) {
         const Vec3& place = grown[order[i]];
         std::array<std::uint32_t, kNormalNeighbours> near;
         std::array<double, kNormalNeighbours> squared;

@@ -1,7 +1,6 @@
 #include "procedural/child_strands.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
+#include "guides/cancel.h"
 #include "procedural/buffer.h"
 
 namespace lancret {
@@ -25,11 +24,11 @@ Strands child_strands(const Binding& binding, const GuideProfiles<float>& profil
             out.thickness[i * places + j] = 2 * width * (root + (tip - root) * s);
         }
     };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, binding.size(), settings.chunk),
-                      [&](const auto& chunk) {
-                          each_strand(binding, profiles, guides, settings.blend,
-                                      chunk.begin(), chunk.end(), put);
-                      });
+    cancellable_for(tbb::blocked_range<std::size_t>(0, binding.size(), settings.chunk),
+                    [&](const auto& chunk) {
+                        each_strand(binding, profiles, guides, settings.blend,
+                                    chunk.begin(), chunk.end(), put);
+                    });
     return out;
 }
 

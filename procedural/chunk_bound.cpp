@@ -1,11 +1,11 @@
 #include "procedural/chunk_bound.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "guides/cancel.h"
 #include "guides/helix_box.h"
 
 namespace lancret {
@@ -14,11 +14,16 @@ namespace {
 
 /// Room for one strand's control points.
 struct Strand {
-    std::vector<Point4f> points, tangents;
+    CurveBasis basis;
+    std::vector<Point4f> points, tangents, in_basis;
 
-    Strand(int intervals, CurveBasis basis)
-        : points(control_points_of(basis, std::uint32_t(intervals))),
-          tangents(basis == CurveBasis::hermite ? points.size() : 0) {}
+    // What is made of Hermite's points is that at first.
+    Strand(int intervals, CurveBasis of)
+        : basis(of),
+          points(control_points_of(is_of_hermite(of) ? CurveBasis::hermite : of,
+                                   std::uint32_t(intervals))),
+          tangents(of == CurveBasis::bspline ? 0 : points.size()),
+          in_basis(of == CurveBasis::catmull_rom ? points.size() + 2 : 0) {}
 };
 
 Vec3 place(const Point4f& p) { return p.xyz().cast<double>(); }
@@ -40,6 +45,18 @@ void extend_by_helices(Eigen::AlignedBox3d& box,
 /// The Bezier points of the emitted curve.
 void extend_by_curve(Eigen::AlignedBox3d& box, const Strand& strand) {
     const std::span points = strand.points;
+    if (strand.basis == CurveBasis::linear) {
+        for (const Point4f& p : points) box.extend(place(p));
+        return;
+    }
+    if (strand.basis == CurveBasis::catmull_rom) {
+        const std::span c = strand.in_basis;
+        for (std::size_t j = 1; j + 1 < c.size(); ++j) {
+            const Vec3 p = place(c[j]), sixth = (place(c[j + 1]) - place(c[j - 1])) / 6;
+            box.extend(p).extend(p - sixth).extend(p + sixth);
+        }
+        return;
+    }
     if (!strand.tangents.empty()) {
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Vec3 p = place(points[i]), third = place(strand.tangents[i]) / 3;
@@ -76,7 +93,7 @@ ChunkBound chunk_bound(const Binding& chunk, const GuideProfiles<float>& profile
                        const KernelGuides& guides, const ExpandSettings& settings) {
     using Range = tbb::blocked_range<std::size_t>;
     const int n = profiles.count;
-    const auto box = tbb::parallel_reduce(
+    const auto box = cancellable_reduce(
         Range(0, chunk.size(), 64), Eigen::AlignedBox3d(),
         [&](const Range& range, Eigen::AlignedBox3d out) {
             Strand strand(n, settings.basis);
@@ -88,6 +105,10 @@ ChunkBound chunk_bound(const Binding& chunk, const GuideProfiles<float>& profile
                     bspline_points(states, ds, root, {}, strand.points);
                 } else {
                     hermite_points(states, ds, root, {}, strand.points, strand.tangents);
+                    if (settings.basis == CurveBasis::catmull_rom) {
+                        points_of_hermite(settings.basis, strand.points, strand.tangents,
+                                          strand.in_basis);
+                    }
                 }
                 extend_by_helices(out, states, root.cast<double>(), ds);
                 extend_by_curve(out, strand);

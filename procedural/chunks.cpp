@@ -1,12 +1,13 @@
 #include "procedural/chunks.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+
+#include "guides/cancel.h"
 
 namespace lancret {
 
@@ -44,6 +45,7 @@ void split(std::span<Item> items, std::size_t from, std::size_t to, std::size_t 
     });
     tbb::parallel_invoke([&] { split(items, from, middle, parts); },
                          [&] { split(items, middle, to, parts); });
+    stop_if_cancelled();
 }
 
 }  // namespace
@@ -58,12 +60,12 @@ Chunks make_chunks(std::size_t count, const std::function<Vec3f(std::uint32_t)>&
     const std::size_t parts = (count + most - 1) / most;
     std::vector<Item> items(count);
     const auto all = [&](auto&& of_one) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
-                          [&](const auto& range) {
-                              for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                                  of_one(i);
-                              }
-                          });
+        cancellable_for(tbb::blocked_range<std::size_t>(0, count, 4096),
+                        [&](const auto& range) {
+                            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                                of_one(i);
+                            }
+                        });
     };
     all([&](std::size_t i) { items[i] = {root(std::uint32_t(i)), std::uint32_t(i)}; });
     split(items, 0, parts, parts);

@@ -58,6 +58,14 @@ void bspline_points(std::span<const HelixState<float>> states, float ds,
     points[n + 2] = point(root + last, radius(n + 1));
 }
 
+void bspline_directions(std::span<const Point4f> points, std::span<Point4f> directions) {
+    for (std::size_t j = 0; j < points.size(); ++j) {
+        const std::size_t at = std::clamp<std::size_t>(j, 1, points.size() - 2);
+        const Vec3f unit = (points[at + 1].xyz() - points[at - 1].xyz()).normalized();
+        directions[j] = {unit.x(), unit.y(), unit.z(), 0};
+    }
+}
+
 Vec2f bent_face(std::span<const HelixState<float>> states) {
     const Mat3f& root = states[0].frame;
     const Vec3f chord = root.transpose() * (states.back().position - states[0].position);
@@ -90,6 +98,81 @@ void hermite_points(std::span<const HelixState<float>> states, float ds,
         points[i] = point(root + states[i].position, taper.root + slope * float(i));
         tangents[i] = point(states[i].frame.col(0) * ds, slope);
     }
+}
+
+namespace {
+
+/// a x + b y.
+Point4f mixed(float a, const Point4f& x, float b, const Point4f& y) {
+    return {a * x.x + b * y.x, a * x.y + b * y.y, a * x.z + b * y.z, a * x.w + b * y.w};
+}
+
+Point4f not_thinner_than_nothing(Point4f p) {
+    p.w = std::max(p.w, 0.0f);
+    return p;
+}
+
+/// One value for each control point of a basis, of n + 1 values at places: between them
+/// and beyond the ends goes straight.
+template <class At>
+void spread(CurveBasis basis, std::size_t n, const At& at, std::span<Point4f> out) {
+    if (basis == CurveBasis::bezier) {
+        for (std::size_t i = 0; i < n; ++i) {
+            out[3 * i] = at(i);
+            out[3 * i + 1] = mixed(2.0f / 3, at(i), 1.0f / 3, at(i + 1));
+            out[3 * i + 2] = mixed(1.0f / 3, at(i), 2.0f / 3, at(i + 1));
+        }
+        out[3 * n] = at(n);
+        return;
+    }
+    const std::size_t before = basis == CurveBasis::catmull_rom ? 1 : 0;
+    for (std::size_t i = 0; i <= n; ++i) out[i + before] = at(i);
+    if (before) {
+        out[0] = at(0);
+        out[n + 2] = at(n);
+    }
+}
+
+}  // namespace
+
+void points_of_hermite(CurveBasis basis, std::span<const Point4f> places,
+                       std::span<const Point4f> tangents, std::span<Point4f> points) {
+    const std::size_t n = places.size() - 1;
+    assert(points.size() == control_points_of(basis, std::uint32_t(n)));
+    spread(
+        basis, n, [&](std::size_t i) { return places[i]; }, points);
+    if (basis == CurveBasis::bezier) {
+        for (std::size_t i = 0; i < n; ++i) {
+            points[3 * i + 1] = mixed(1, places[i], 1.0f / 3, tangents[i]);
+            points[3 * i + 2] = mixed(1, places[i + 1], -1.0f / 3, tangents[i + 1]);
+        }
+    } else if (basis == CurveBasis::catmull_rom) {
+        // The tangent of Catmull-Rom at a place is half of what lies between its
+        // neighbours.
+        points[0] = not_thinner_than_nothing(mixed(1, places[1], -2, tangents[0]));
+        points[n + 2] = not_thinner_than_nothing(mixed(1, places[n - 1], 2, tangents[n]));
+    }
+}
+
+void directions_of_hermite(CurveBasis basis, std::span<const Point4f> tangents,
+                           std::span<Point4f> directions) {
+    spread(
+        basis, tangents.size() - 1, [&](std::size_t i) { return tangents[i]; },
+        directions);
+    for (Point4f& d : directions) {
+        const Vec3f unit = d.xyz().normalized();
+        d = {unit.x(), unit.y(), unit.z(), 0};
+    }
+}
+
+void normals_in_basis(CurveBasis basis, std::span<const Point4f> ribbon,
+                      std::span<Point4f> normals) {
+    if (basis == CurveBasis::bspline || basis == CurveBasis::catmull_rom) {
+        std::ranges::copy(ribbon, normals.begin());
+        return;
+    }
+    spread(
+        basis, ribbon.size() - 3, [&](std::size_t i) { return ribbon[i + 1]; }, normals);
 }
 
 }  // namespace lancret

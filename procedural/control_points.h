@@ -26,7 +26,20 @@ inline float radius_of(const Taper& taper, std::ptrdiff_t i, std::size_t interva
 
 /// How many control points a strand of n intervals has.
 constexpr std::uint32_t control_points_of(CurveBasis basis, std::uint32_t intervals) {
-    return basis == CurveBasis::bspline ? intervals + 3 : intervals + 1;
+    switch (basis) {
+        case CurveBasis::bspline:
+        case CurveBasis::catmull_rom:
+            return intervals + 3;
+        case CurveBasis::bezier:
+            return 3 * intervals + 1;
+        default:
+            return intervals + 1;
+    }
+}
+
+/// Whether control points are made of Hermite's places and derivatives.
+constexpr bool is_of_hermite(CurveBasis basis) {
+    return basis != CurveBasis::bspline && basis != CurveBasis::hermite;
 }
 
 /// Control points of the uniform cubic B-spline that follows a strand, by the five-tap
@@ -43,6 +56,10 @@ void bspline_points(std::span<const HelixState<float>> states, float ds,
 /// pose.
 Vec2f bent_face(std::span<const HelixState<float>> states);
 
+/// The direction of that curve where each of its points has the most weight: unit, w 0;
+/// the outermost have those of the ends.
+void bspline_directions(std::span<const Point4f> points, std::span<Point4f> directions);
+
 /// A strand's face along that B-spline: control points of its normal. It lies at the
 /// angle `face` (bent_face's) in the strand's own frame, and so turns with the strand.
 /// `normals` has n + 3.
@@ -54,5 +71,19 @@ void ribbon_normals(std::span<const HelixState<float>> states, const Vec2f& face
 void hermite_points(std::span<const HelixState<float>> states, float ds,
                     const Vec3f& root, const Taper& taper, std::span<Point4f> points,
                     std::span<Point4f> tangents);
+
+/// A Hermite strand of n + 1 `places` and `tangents` in a basis that is made of them. The
+/// Bezier curve is the same curve; Catmull-Rom's has its own tangents but for those at
+/// the ends, which are the strand's; `points` has control_points_of(basis, n).
+void points_of_hermite(CurveBasis basis, std::span<const Point4f> places,
+                       std::span<const Point4f> tangents, std::span<Point4f> points);
+
+/// The strand's direction at the same control points, or at those of Hermite: unit, w 0.
+void directions_of_hermite(CurveBasis basis, std::span<const Point4f> tangents,
+                           std::span<Point4f> directions);
+
+/// Normals for the control points of any basis, from ribbon_normals' n + 3: w 0.
+void normals_in_basis(CurveBasis basis, std::span<const Point4f> ribbon,
+                      std::span<Point4f> normals);
 
 }  // namespace lancret

@@ -14,6 +14,14 @@ Eigen::AlignedBox3f bounds(const Curves& curves) {
             box.extend(p - third - radius).extend(p - third + radius);
             box.extend(p + third - radius).extend(p + third + radius);
         }
+        if (curves.basis == CurveBasis::catmull_rom) {
+            const std::size_t in_strand = i % curves.points_per_strand;
+            if (in_strand == 0 || in_strand + 1 == curves.points_per_strand) continue;
+            const Vec3f sixth =
+                (curves.points[i + 1].xyz() - curves.points[i - 1].xyz()) / 6;
+            box.extend(p - sixth - radius).extend(p - sixth + radius);
+            box.extend(p + sixth - radius).extend(p + sixth + radius);
+        }
     }
     return box;
 }

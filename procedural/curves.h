@@ -12,6 +12,10 @@ namespace lancret {
 enum class CurveBasis {
     bspline,  ///< uniform cubic B-spline control points, segments + 3 a strand
     hermite,  ///< points with derivatives, segments + 1 a strand
+    // For hosts that draw neither: made of Hermite's.
+    linear,       ///< points on the strand, segments + 1
+    catmull_rom,  ///< the same, and one beyond each end: segments + 3
+    bezier,       ///< cubics that share their ends: 3 segments + 1
 };
 enum class CurveShape {
     flat,    ///< ribbons that face the ray: strands near or below a pixel
@@ -29,11 +33,12 @@ struct Curves {
     std::uint32_t segments_per_strand = 0;
     std::uint32_t points_per_strand = 0;
     Buffer<Point4f> points;    ///< [strands * points_per_strand], cm, w is the radius
-    Buffer<Point4f> tangents;  ///< Hermite alone: [points], cm a segment, w is dr/dt
+    Buffer<Point4f> tangents;  ///< of Hermite curves: [points], cm a segment, w is dr/dt;
+                               ///< of others none, or directions: unit, w 0
     Buffer<Point4f> normals;   ///< ribbons, and elliptic strands: [points], control
                                ///< points of the face's normal, of any length; else none
-    Buffer<std::uint32_t>
-        segments;  ///< [strands * segments_per_strand], first control point
+    Buffer<std::uint32_t> segments;  ///< [strands * segments_per_strand], first control
+                                     ///< point; of B-splines and Hermite curves alone
 
     std::vector<std::uint32_t> ids;  ///< [strands], of those that are grown of all;
                                      ///< empty: their numbers

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "guides/cancel.h"
 #include "guides/errors.h"
 #include "procedural/control_points.h"
 #include "procedural/synthesis.h"
@@ -32,6 +32,19 @@ constexpr double kMostTurnOfSegment = 1000;
 Vec3f emitted_place(CurveBasis basis, std::span<const Point4f> points,
                     std::span<const Point4f> tangents, std::size_t j, float t) {
     const float r = 1 - t;
+    if (basis == CurveBasis::linear) return r * points[j].xyz() + t * points[j + 1].xyz();
+    if (basis == CurveBasis::bezier) {
+        const auto* p = &points[3 * j];
+        return r * r * r * p[0].xyz() + 3 * t * r * (r * p[1].xyz() + t * p[2].xyz()) +
+               t * t * t * p[3].xyz();
+    }
+    if (basis == CurveBasis::catmull_rom) {
+        const Vec3f a = points[j].xyz(), b = points[j + 1].xyz(), c = points[j + 2].xyz(),
+                    d = points[j + 3].xyz();
+        return b + 0.5f * t *
+                       ((c - a) +
+                        t * ((2 * a - 5 * b + 4 * c - d) + t * (3 * (b - c) + d - a)));
+    }
     if (basis == CurveBasis::hermite) {
         return r * r * (1 + 2 * t) * points[j].xyz() +
                t * t * (3 - 2 * t) * points[j + 1].xyz() + t * r * r * tangents[j].xyz() -
@@ -58,7 +71,12 @@ double emission_distance(std::span<const HelixState<float>> states, float ds,
                          CurveBasis basis) {
     const std::uint32_t n = std::uint32_t(states.size()) - 1;
     std::vector<Point4f> points(control_points_of(basis, n)), tangents(points.size());
-    if (basis == CurveBasis::hermite) {
+    if (is_of_hermite(basis)) {
+        std::vector<Point4f> places(n + 1);
+        tangents.resize(n + 1);
+        hermite_points(states, ds, Vec3f::Zero(), {}, places, tangents);
+        points_of_hermite(basis, places, tangents, points);
+    } else if (basis == CurveBasis::hermite) {
         hermite_points(states, ds, Vec3f::Zero(), {}, points, tangents);
     } else {
         bspline_points(states, ds, Vec3f::Zero(), {}, points);
@@ -67,18 +85,22 @@ double emission_distance(std::span<const HelixState<float>> states, float ds,
     for (std::uint32_t j = 0; j < n; ++j) {
         const Vec3f turn =
             rotation_log<float>(states[j].frame.transpose() * states[j + 1].frame);
-        HelixState<float> middle = states[j];
-        advance<float>(middle, turn / ds, ds / 2);
-        // The curve's own parameter may run ahead along the strand: only what lies across
-        // counts.
-        const Vec3f off =
-            emitted_place(basis, points, tangents, j, 0.5f) - middle.position;
-        const Vec3f tangent = middle.frame.col(0);
-        const float distance = (off - tangent * tangent.dot(off)).norm();
-        if (!(distance <= worst)) {
-            worst =
-                std::isnan(distance) ? std::numeric_limits<float>::infinity() : distance;
-        }
+        const auto look = [&](float t) {
+            HelixState<float> at = states[j];
+            advance<float>(at, turn / ds, ds * t);
+            // The curve's own parameter may run ahead along the strand: only what lies
+            // across counts.
+            const Vec3f off = emitted_place(basis, points, tangents, j, t) - at.position;
+            const Vec3f tangent = at.frame.col(0);
+            const float distance = (off - tangent * tangent.dot(off)).norm();
+            if (!(distance <= worst)) {
+                worst = std::isnan(distance) ? std::numeric_limits<float>::infinity()
+                                             : distance;
+            }
+        };
+        look(0.5f);
+        // Where its tangents are the same at both ends, and off, the middle is not.
+        if (basis == CurveBasis::catmull_rom) look(0.2f), look(0.8f);
     }
     return worst;
 }
@@ -101,9 +123,9 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
     int n = guides.segments * std::max(1, int(std::ceil(turn / kMostTurn)));
     const std::size_t sample = std::min(binding.size(), kSampledChildren);
     using Range = tbb::blocked_range<std::size_t>;
-    for (;; n += guides.segments) {
+    for (;;) {
         const auto profiles = guide_profiles<float>(guides, n);
-        const double farthest = tbb::parallel_reduce(
+        const double farthest = cancellable_reduce(
             Range(0, sample), 0.0,
             [&](const Range& range, double worst) {
                 std::vector<HelixState<float>> states(n + 1);
@@ -115,7 +137,13 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
                 return worst;
             },
             [](double a, double b) { return std::max(a, b); });
-        if (n >= most || farthest <= kSampleShare * tolerance) return n;
+        const double aim = kSampleShare * tolerance;
+        if (n >= most || farthest <= aim) return n;
+        // A polyline is off by kappa ds^2 / 8 and may need hundreds.
+        const double more =
+            basis == CurveBasis::linear ? n * (std::sqrt(farthest / aim) - 1) : 0;
+        n += guides.segments *
+             std::max(1, int(std::ceil(std::min(more, double(most)) / guides.segments)));
     }
 }
 

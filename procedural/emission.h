@@ -18,16 +18,20 @@ Vec3f emitted_place(CurveBasis basis, std::span<const Point4f> points,
 double length_over_guides(const Binding& binding, const Guides& guides);
 
 /// The farthest that the emitted curve of a strand lies from the strand, cm, as seen in
-/// the middle of each interval, where a helix strays most; infinity where something is
+/// the middle of each interval, where a helix strays most (of Catmull-Rom at 1/5 and 4/5
+/// too); infinity where something is
 /// not finite. `states` are places at equal steps `ds` of arc length.
 double emission_distance(std::span<const HelixState<float>> states, float ds,
                          CurveBasis basis);
+
+/// Where the search for intervals ends.
+inline constexpr int kMostIntervals = 128;
 
 /// The number of intervals a strand, a multiple of the guides' segments, at which emitted
 /// curves stay within `tolerance` cm of the strands, and no interval of a guide turns by
 /// more than 2 radians; the first gives way beyond `most`. Measured on the first
 /// kSampledChildren, which must keep 0.6 of the tolerance; `check` measures all.
 int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
-                     double tolerance, CurveBasis basis, int most = 128);
+                     double tolerance, CurveBasis basis, int most = kMostIntervals);
 
 }  // namespace lancret

@@ -1,12 +1,12 @@
 #include "procedural/evaluation.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "guides/cancel.h"
 #include "procedural/check_strand.h"
 #include "procedural/stopwatch.h"
 #include "procedural/synthesis.h"
@@ -71,7 +71,7 @@ Prediction predict(const LeaveOut& taken, const GuideProfiles<float>& profiles,
     out.tangents.resize(children * kPlaces);
     out.length_errors.resize(children);
     using Range = tbb::blocked_range<std::size_t>;
-    tbb::parallel_for(Range(0, children, 64), [&](const Range& range) {
+    cancellable_for(Range(0, children, 64), [&](const Range& range) {
         std::vector<HelixState<float>> states(n + 1);
         for (std::size_t c = range.begin(); c < range.end(); ++c) {
             synthesize_child<float>(taken.binding, profiles, blend, c, states);

@@ -17,6 +17,7 @@ struct ExpandSettings {
     CurveBasis basis = CurveBasis::bspline;
     std::optional<CurveShape> shape{};  ///< none: flat, for who draws them to change
     bool faces = false;  ///< whether to give the normals of strands that are no ribbons
+    bool directions = false;  ///< whether to give the tangents of bases without them
     Taper taper{};
     std::uint32_t chunk = 256;  ///< strands that one task expands at a time, >= 1
 

@@ -1,10 +1,9 @@
 #include "procedural/faces.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "guides/cancel.h"
 #include "procedural/control_points.h"
 #include "procedural/synthesis.h"
 
@@ -41,7 +40,7 @@ Vec2f turned(const Vec2f& a, const Vec2f& b) {
 std::vector<Vec2f> rest_faces(const Binding& binding, const GuideProfiles<float>& rest,
                               Blend blend) {
     std::vector<Vec2f> out(binding.size());
-    tbb::parallel_for(
+    cancellable_for(
         tbb::blocked_range<std::size_t>(0, out.size(), 256), [&](const auto& chunk) {
             std::vector<HelixState<float>> states(rest.count + 1);
             for (std::size_t i = chunk.begin(); i < chunk.end(); ++i) {

@@ -3,12 +3,14 @@
 // its TOML.
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "guides/made_groom.h"
 #include "guides/strands.h"
 #include "guides/super_helix_fit.h"
+#include "guides/triangle_mesh.h"
 #include "procedural/binding.h"
 #include "procedural/borders.h"
 #include "procedural/expand.h"
@@ -42,8 +44,10 @@ struct Groom {
     SceneUnits scene;
     std::filesystem::path strands_file;  ///< .hair; empty where the groom is made
     std::filesystem::path
-        guides_file;         ///< .h5 that stands in for the fit; empty without one
-    MadeGroomSettings made;  ///< of the groom and scalp that Lancret makes
+        guides_file;  ///< .h5 that stands in for the fit; empty without one
+    std::shared_ptr<const Strands> own_strands;  ///< in place of a file, in its unit
+    std::shared_ptr<const TriangleMesh> own_scalp;
+    MadeGroomSettings made;            ///< of the groom and scalp that Lancret makes
     Basis basis = Basis::catmull_rom;  ///< of the points in `strands_file`
     GuideCount guides;
     FitSettings fit;

@@ -1,11 +1,11 @@
 #include "procedural/groom_guides.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <numeric>
 
+#include "guides/cancel.h"
 #include "guides/closest_point.h"
 #include "guides/coordinates.h"
 #include "guides/errors.h"
@@ -28,7 +28,7 @@ struct StrandRoots {
 
 StrandRoots strand_roots(const Strands& strands) {
     std::vector<std::optional<CurvePoint>> starts(strands.size());
-    tbb::parallel_for(std::size_t(0), strands.size(), [&](std::size_t i) {
+    cancellable_for(std::size_t(0), strands.size(), [&](std::size_t i) {
         if (const auto curve = strand_curve(strands, i)) {
             starts[i] = evaluate(*curve, curve->knots.front());
             starts[i]->d1 = unit_tangent(*curve, curve->knots.front());
@@ -52,18 +52,20 @@ std::vector<T> picked(const std::vector<T>& from, std::span<const std::uint32_t>
 }
 
 /// Places in a file are within bounds, but may leave them with the scene's units.
-void check_places(const std::vector<Vec3f>& places, const std::filesystem::path& file) {
+void check_places(const std::vector<Vec3f>& places, const std::string& file) {
     if (std::ranges::all_of(places, is_place)) return;
     throw InputError(fmt::format(
         "{}: metres_per_unit of [scene] puts it beyond {:.0e} cm, which is no place",
-        file.string(), kLargestCoordinate));
+        file, kLargestCoordinate));
 }
 
 }  // namespace
 
 LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
     LoadedGroom out;
-    if (groom.strands_file.empty()) {
+    if (groom.own_strands) {
+        out.strands = *groom.own_strands;
+    } else if (groom.strands_file.empty()) {
         MadeGroom made = groom.made.kind == MadeKind::lawn ? make_lawn(groom.made)
                                                            : make_groom(groom.made);
         out.strands = std::move(made.strands);
@@ -83,25 +85,34 @@ LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
         }
     }
     const float scale = float(groom.scene.centimetres_per_unit());
-    if (scale != 1 && !groom.strands_file.empty()) {
+    if (scale != 1 && (groom.own_strands || !groom.strands_file.empty())) {
         for (Vec3f& p : out.strands.points) p *= scale;
-        check_places(out.strands.points, groom.strands_file);
+        check_places(out.strands.points,
+                     groom.own_strands ? groom.name : groom.strands_file.string());
         for (float& t : out.strands.thickness) t *= scale;
         out.strands.default_thickness *= scale;
     }
     return out;
 }
 
-std::optional<Scalp> load_scalp(const Groom& groom) {
-    if (groom.scalp_file.empty()) return std::nullopt;
-    TriangleMesh mesh = read_obj(groom.scalp_file);
+std::optional<TriangleMesh> read_scalp_mesh(const Groom& groom) {
+    if (!groom.own_scalp && groom.scalp_file.empty()) return std::nullopt;
+    TriangleMesh mesh = groom.own_scalp ? *groom.own_scalp : read_obj(groom.scalp_file);
     const float scale = float(groom.scene.centimetres_per_unit());
     for (Vec3f& p : mesh.positions) p *= scale;
-    check_places(mesh.positions, groom.scalp_file);
-    Scalp out = make_scalp(std::move(mesh));
+    check_places(mesh.positions,
+                 groom.own_scalp ? groom.name : groom.scalp_file.string());
+    return mesh;
+}
+
+std::optional<Scalp> load_scalp(const Groom& groom) {
+    auto mesh = read_scalp_mesh(groom);
+    if (!mesh) return std::nullopt;
+    Scalp out = make_scalp(std::move(*mesh));
     if (!(out.area > 0)) {
-        throw InputError(fmt::format("{}: a mesh without area is no scalp",
-                                     groom.scalp_file.string()));
+        throw InputError(
+            fmt::format("{}: a mesh without area is no scalp",
+                        groom.own_scalp ? groom.name : groom.scalp_file.string()));
     }
     return out;
 }

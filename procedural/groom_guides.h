@@ -51,6 +51,10 @@ struct LoadedGroom {
 /// InputError.
 LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings);
 
+/// The mesh that a groom names as its scalp, or holds, cm; nothing where there is none.
+/// Throws InputError.
+std::optional<TriangleMesh> read_scalp_mesh(const Groom& groom);
+
 /// Reads the mesh that a groom names as its scalp; nothing where it names none. Throws
 /// InputError.
 std::optional<Scalp> load_scalp(const Groom& groom);

@@ -28,21 +28,24 @@ std::filesystem::path groom_of_cache(const std::filesystem::path& cache) {
     return there && groom.extension() == ".toml" ? groom : std::filesystem::path();
 }
 
-Groom read_groom_source(const GroomSource& source) {
+SourcedGroom read_groom_source(const GroomSource& source) {
+    const bool from_text = source.text || source.path.empty();
     const std::string extension = source.path.extension().string();
-    const bool cache = !source.text && extension == ".h5";
-    const bool strands = !source.text && extension == ".hair";
-    if (!source.text && extension != ".toml" && !cache && !strands) {
+    const bool cache = !from_text && extension == ".h5";
+    const bool strands = !from_text && extension == ".hair";
+    if (!from_text && extension != ".toml" && !cache && !strands) {
         throw InputError(fmt::format("{}: a groom is a .toml, .hair or .h5 file",
                                      source.path.string()));
     }
     const std::filesystem::path file = cache ? groom_of_cache(source.path) : source.path;
-    const std::string name =
-        !source.path.empty() ? source.path.string() : std::string("text");
     const bool by_itself = strands || (cache && file.empty());
+    const std::string name = source.path.empty()      ? "groom"
+                             : from_text || by_itself ? source.path.string()
+                                                      : file.string();
     const std::filesystem::path folder =
         source.folder.empty() ? source.path.parent_path() : source.folder;
-    TomlTable toml = source.text ? TomlTable::from_text(*source.text, name, folder)
+    TomlTable toml = from_text
+                         ? TomlTable::from_text(source.text.value_or(""), name, folder)
                      : by_itself ? TomlTable::from_text("", name)
                                  : TomlTable::from_file(file);
     for (const GroomParameter& parameter : source.parameters) {
@@ -52,15 +55,20 @@ Groom read_groom_source(const GroomSource& source) {
             toml.lay_over(parameter.name, parameter.number);
         }
     }
-    Groom out = read_groom(toml, by_itself || source.text ? name : file.string());
+    SourcedGroom out{read_groom(toml, name), {}};
+    Groom& groom = out.groom;
+    out.motion = read_motion(toml.table("motion"), groom.scene.centimetres_per_unit());
     for (const std::string_view key : kOthersTables) toml.leave(key);
-    toml.leave("motion");
     toml.finish();
     if (by_itself) {
-        out.strands_file = source.path;
+        groom.strands_file = source.path;
     } else if (cache) {
-        out.guides_file = source.path;
+        groom.guides_file = source.path;
     }
+    groom.own_strands = source.strands;
+    groom.own_scalp = source.scalp;
+    if (groom.own_strands) groom.strands_file.clear();
+    if (groom.own_scalp) groom.scalp_file.clear();
     return out;
 }
 

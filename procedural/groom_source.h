@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "procedural/groom.h"
+#include "procedural/motion_settings.h"
 
 namespace lancret {
 
@@ -21,6 +22,13 @@ struct GroomSource {
     std::optional<std::string> text;  ///< of a TOML, in place of the file's
     std::filesystem::path folder;     ///< that `text` names files from; empty: of `path`
     std::vector<GroomParameter> parameters;
+    std::shared_ptr<const Strands> strands;     ///< in place of the groom's file, or none
+    std::shared_ptr<const TriangleMesh> scalp;  ///< in place of the scalp's file, or none
+};
+
+struct SourcedGroom {
+    Groom groom;
+    MotionSettings motion;  ///< of its head
 };
 
 /// The groom that a file of strands or guides is by itself.
@@ -30,8 +38,10 @@ Groom groom_of_file(const std::filesystem::path& file);
 /// nothing: then the guides stand by themselves.
 std::filesystem::path groom_of_cache(const std::filesystem::path& cache);
 
-/// The groom of a source. The tables [camera], [light], [material], [render], [dynamics]
-/// and [[colliders]] belong to others and are not looked at. Throws InputError.
-Groom read_groom_source(const GroomSource& source);
+/// The groom of a source; of one with neither path nor text, the groom that Lancret makes
+/// or that the source holds. The tables [camera], [light], [material], [render],
+/// [dynamics] and [[colliders]] belong to others and are not looked at. Throws
+/// InputError.
+SourcedGroom read_groom_source(const GroomSource& source);
 
 }  // namespace lancret

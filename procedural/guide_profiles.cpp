@@ -1,11 +1,10 @@
 #include "procedural/guide_profiles.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "guides/cancel.h"
 #include "guides/super_helix.h"
 
 namespace lancret {
@@ -113,7 +112,7 @@ GuideProfiles<T> guide_profiles(const Guides& guides, int count) {
     out.basis = spine_basis<T>(count);
     out.spines.resize(size);
     out.advances.resize(size * (n + 1));
-    tbb::parallel_for(std::size_t(0), size, [&](std::size_t g) {
+    cancellable_for(std::size_t(0), size, [&](std::size_t g) {
         const Walk path = walk(guides, g, count);
         const double length = guide_length(guides, g);
         const std::vector<double> angles = carried_angles(path.u, length / count);

@@ -1,12 +1,12 @@
 #include "procedural/interval_classes.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "guides/cancel.h"
 #include "procedural/child_strands.h"
 #include "procedural/emission.h"
 
@@ -131,7 +131,7 @@ std::vector<std::uint8_t> child_classes(const Binding& binding,
                                         const IntervalClasses& classes, double tolerance,
                                         const ExpandSettings& settings) {
     std::vector<std::uint8_t> out(binding.size());
-    tbb::parallel_for(Range(0, binding.size(), 64), [&](const Range& range) {
+    cancellable_for(Range(0, binding.size(), 64), [&](const Range& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const Shape fine = shape_of(binding, classes.profiles[0], settings.blend, i);
             // The last that was seen to keep the tolerance, and the first that was not.

@@ -1,11 +1,11 @@
 #include "procedural/leave_out.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <numeric>
 
+#include "guides/cancel.h"
 #include "guides/closest_point.h"
 #include "guides/errors.h"
 #include "guides/farthest_points.h"
@@ -29,7 +29,7 @@ constexpr double kShortest = 1e-6;
 /// Every strand at equal steps; nothing of those without a length.
 std::vector<SampledCurve> sampled(const Strands& strands) {
     std::vector<SampledCurve> out(strands.size());
-    tbb::parallel_for(std::size_t(0), strands.size(), [&](std::size_t i) {
+    cancellable_for(std::size_t(0), strands.size(), [&](std::size_t i) {
         const auto curve = strand_curve(strands, i);
         if (curve && curve->length() >= kShortest) {
             out[i] = resample(*curve, kCompareSteps);
@@ -53,7 +53,7 @@ Surface surface_at(const Scalp* scalp, std::span<const Vec3> roots) {
     out.normals.resize(roots.size());
     out.tangents.resize(roots.size());
     const ClosestPoint closest(scalp->mesh);
-    tbb::parallel_for(std::size_t(0), roots.size(), [&](std::size_t i) {
+    cancellable_for(std::size_t(0), roots.size(), [&](std::size_t i) {
         const MeshPoint point = closest.closest(roots[i]).point;
         out.normals[i] = scalp_normal(*scalp, point).cast<float>();
         out.tangents[i] = surface_frame(*scalp, point).col(1);

@@ -1,11 +1,11 @@
 #include "procedural/pose.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "guides/cancel.h"
 #include "guides/coordinates.h"
 #include "guides/errors.h"
 
@@ -19,7 +19,7 @@ void pose_rigidly(Binding& binding, const RestPlaces& rest, const RigidPose& pos
         return (pose.rotation * normal.cast<double>()).cast<float>();
     };
     Roots& roots = binding.roots;
-    tbb::parallel_for(std::size_t(0), rest.roots.size(), [&](std::size_t i) {
+    cancellable_for(std::size_t(0), rest.roots.size(), [&](std::size_t i) {
         roots.positions[i] = (pose * rest.roots[i].cast<double>()).cast<float>();
         roots.normals[i] = turned(rest.normals[i]);
     });
@@ -28,7 +28,7 @@ void pose_rigidly(Binding& binding, const RestPlaces& rest, const RigidPose& pos
 }
 
 /// The scalp of a posed mesh, once it is seen to be the rest scalp's shape.
-Scalp posed_scalp(const RestPlaces& rest, const TriangleMesh& mesh) {
+Scalp scalp_in_pose(const RestPlaces& rest, const TriangleMesh& mesh) {
     if (rest.triangles == 0) {
         throw InputError(
             "a posed scalp needs a scalp at rest, and the groom has none: name it in "
@@ -50,7 +50,7 @@ Scalp posed_scalp(const RestPlaces& rest, const TriangleMesh& mesh) {
 void pose_on_mesh(Binding& binding, const RestPlaces& rest, const Scalp& scalp,
                   std::vector<Vec3>& out) {
     Roots& roots = binding.roots;
-    tbb::parallel_for(std::size_t(0), rest.places.size(), [&](std::size_t i) {
+    cancellable_for(std::size_t(0), rest.places.size(), [&](std::size_t i) {
         roots.positions[i] = scalp_position(scalp, rest.places[i]).cast<float>();
         roots.normals[i] = scalp_normal(scalp, rest.places[i]).cast<float>();
     });
@@ -85,12 +85,21 @@ RestPlaces rest_places(const Binding& binding, const GroomGuides& source) {
 
 std::vector<Vec3> pose_binding(Binding& binding, const RestPlaces& rest,
                                const ScalpPose& pose) {
+    return pose_binding_on(binding, rest, posed_scalp(rest, pose));
+}
+
+PosedScalp posed_scalp(const RestPlaces& rest, const ScalpPose& pose) {
+    if (const auto* rigid = std::get_if<RigidPose>(&pose)) return *rigid;
+    return scalp_in_pose(rest, std::get<TriangleMesh>(pose));
+}
+
+std::vector<Vec3> pose_binding_on(Binding& binding, const RestPlaces& rest,
+                                  const PosedScalp& scalp) {
     std::vector<Vec3> out;
-    if (const auto* rigid = std::get_if<RigidPose>(&pose)) {
+    if (const auto* rigid = std::get_if<RigidPose>(&scalp)) {
         pose_rigidly(binding, rest, *rigid, out);
     } else {
-        const Scalp scalp = posed_scalp(rest, std::get<TriangleMesh>(pose));
-        pose_on_mesh(binding, rest, scalp, out);
+        pose_on_mesh(binding, rest, std::get<Scalp>(scalp), out);
     }
     return out;
 }

@@ -46,6 +46,16 @@ RestPlaces rest_places(const Binding& binding, const GroomGuides& source);
 std::vector<Vec3> pose_binding(Binding& binding, const RestPlaces& rest,
                                const ScalpPose& pose);
 
+/// A pose of the scalp that was held against the scalp at rest, for many bindings.
+using PosedScalp = std::variant<RigidPose, Scalp>;
+
+/// Throws as pose_binding does.
+PosedScalp posed_scalp(const RestPlaces& rest, const ScalpPose& pose);
+
+/// pose_binding, for a pose that was looked at before.
+std::vector<Vec3> pose_binding_on(Binding& binding, const RestPlaces& rest,
+                                  const PosedScalp& scalp);
+
 /// How the scalp carries what stands on it: of a rigid pose, that pose, `count` times; of
 /// a posed mesh, for each of `places` ([count]) the frame of its triangle (first edge,
 /// across, normal) with the place as its origin. Throws InputError where such a triangle

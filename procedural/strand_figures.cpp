@@ -1,6 +1,5 @@
 #include "procedural/strand_figures.h"
 
-#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/parallel_sort.h>
 
@@ -8,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "guides/cancel.h"
 
 namespace lancret {
 
@@ -164,7 +165,7 @@ StrandFigures strand_figures(const StrandSamples& truth, std::span<const double>
     std::vector<double> rms(size), place(size), tip(size);
     const LowPass low_pass(truth.steps);
     using Range = tbb::blocked_range<std::size_t>;
-    tbb::parallel_for(Range(0, size, 64), [&](const Range& range) {
+    cancellable_for(Range(0, size, 64), [&](const Range& range) {
         std::vector<Vec3> a(truth.steps + 1), b(truth.steps + 1);
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const auto real = truth.strand(i), other = made.strand(i);

@@ -1,13 +1,12 @@
 #include "procedural/temporal.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
 
+#include "guides/cancel.h"
 #include "procedural/anchor_bound.h"
 
 namespace lancret {
@@ -97,8 +96,8 @@ ChildMotion child_motion(const Moment& a, const Moment& b, Blend blend, std::siz
 TemporalReport temporal_check(const Moment& a, const Moment& b, Blend blend) {
     check_moments(a, b);
     std::vector<ChildMotion> motions(a.binding->size());
-    tbb::parallel_for(std::size_t(0), motions.size(),
-                      [&](std::size_t i) { motions[i] = child_motion(a, b, blend, i); });
+    cancellable_for(std::size_t(0), motions.size(),
+                    [&](std::size_t i) { motions[i] = child_motion(a, b, blend, i); });
     TemporalReport out;
     for (std::size_t i = 0; i < motions.size(); ++i) {
         const ChildMotion& m = motions[i];

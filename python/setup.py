@@ -16,7 +16,7 @@ def built_library() -> Path | None:
     root = Path(__file__).resolve().parent.parent
     said = os.environ.get("LANCRET_LIBRARY")
     places = [Path(said)] if said else []
-    places += [root / "build" / preset / "procedural" / NAME for preset in ("release", "ci")]
+    places += [root / "build" / preset / NAME for preset in ("release", "ci")]
     return next((place for place in places if place.is_file()), None)
 
 

@@ -65,7 +65,7 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
                           FramesCost& cost) {
     CheckTolerances tolerances = options.tolerances;
     tolerances.distance = options.distance.value_or(job.groom.tolerance);
-    const RestPlaces rest = prepare_frames(generator, chosen, job);
+    const RestPlaces rest = prepare_frames(generator, chosen);
     const std::vector<Vec3f>& roots = generator.binding.roots.positions;
     const Chunks chunks =
         make_chunks(roots.size(), [&](std::uint32_t i) { return roots[i]; });
@@ -73,7 +73,7 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
     ProgressBar bar("check");
     std::optional<KeptFrame> before;
     for (const double frame : chosen.frames) {
-        const FrameState state = go_to_frame(generator, rest, chosen, job, frame);
+        const FrameState state = go_to_frame(generator, rest, chosen, frame);
         Stopwatch watch;
         cost.curves = expand(generator.binding, state.profiles, job.groom.expand);
         cost.expand += watch.lap();

@@ -12,10 +12,9 @@
 
 #include "guides/atomic_file.h"
 #include "guides/errors.h"
-#include "guides/guide_cache.h"
-#include "guides/obj_file.h"
 #include "procedural/bind_report.h"
 #include "procedural/density.h"
+#include "procedural/groom_source.h"
 #include "tools/progress.h"
 #include "tools/quiet_stderr.h"
 
@@ -37,35 +36,6 @@ std::optional<T> whole_number(std::string_view text) {
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     if (error != std::errc() || stop != end) return std::nullopt;
     return value;
-}
-
-/// The groom that a file of strands or guides is by itself.
-Groom groom_of_file(const std::filesystem::path& file) {
-    Groom out;
-    out.name = file.string();
-    out.strands_file = file;
-    return out;
-}
-
-/// The groom that a cache of guides names, where it is a .toml that is there; else
-/// nothing: then the guides stand by themselves.
-std::filesystem::path groom_of_cache(const std::filesystem::path& cache) {
-    const std::filesystem::path groom = guide_cache_info(cache).groom;
-    std::error_code unknown;  // counts as not there
-    const bool there = std::filesystem::is_regular_file(groom, unknown);
-    return there && groom.extension() == ".toml" ? groom : std::filesystem::path();
-}
-
-/// Where the head is at a frame.
-ScalpPoseAt head_pose(const MotionSettings& motion, const Groom& groom) {
-    std::optional<TriangleMesh> rest;
-    if (!motion.files.pattern.empty() && !groom.scalp_file.empty()) {
-        rest = read_obj(groom.scalp_file);
-        for (Vec3f& p : rest->positions) p *= float(groom.scene.centimetres_per_unit());
-    }
-    const auto path = std::make_shared<const ScalpMotion>(
-        scalp_motion(motion, rest ? &*rest : nullptr, 24));
-    return [path](double frame) { return scalp_pose(scalp_at(*path, frame)); };
 }
 
 void lay_over(const GroomOptions& options, Groom& groom) {
@@ -151,9 +121,7 @@ Job read_job(const GroomOptions& options) {
                                      options.input.string()));
     }
     lay_over(options, job.groom);
-    if (!job.dynamics.motion.keys.empty() || !job.dynamics.motion.files.pattern.empty()) {
-        job.pose_at = head_pose(job.dynamics.motion, job.groom);
-    }
+    job.pose_at = head_pose(job.dynamics.motion, job.groom);
     const bool cached = !job.groom.guides_file.empty();
     if (cached || job.groom.strands_file.extension() == ".h5") {
         const auto refuse = [&](const char* option) {

@@ -16,21 +16,10 @@ namespace {
 constexpr std::string_view kDissipations[] = {"viscoelastic", "uniform"};
 constexpr std::string_view kIntegrators[] = {"implicit-euler", "bdf2", "semi-implicit"};
 constexpr std::string_view kShapes[] = {"sphere", "capsule", "mesh"};
-constexpr double kMostFrame = 1e6, kMostCoordinate = 1e6;
 
 template <class T, class U>
 void set(T& to, const std::optional<U>& value) {
     if (value) to = T(*value);
-}
-
-/// A vector whose numbers a simulation can bear.
-std::optional<Vec3> bounded(const TomlTable& table, std::string_view key) {
-    const auto value = table.vector(key);
-    if (value && value->cwiseAbs().maxCoeff() > kMostCoordinate) {
-        table.fail(key, fmt::format("'{}' must be within {} in each direction", key,
-                                    kMostCoordinate));
-    }
-    return value;
 }
 
 void read_material(const TomlTable& dynamics, SimulationSettings& out) {
@@ -68,7 +57,7 @@ void read_strands(const TomlTable& strands, StrandContactSettings& out) {
 }
 
 void read_wind(const TomlTable& wind, WindSettings& out) {
-    set(out.mean, bounded(wind, "velocity"));
+    set(out.mean, bounded_vector(wind, "velocity"));
     set(out.turbulence, wind.number("turbulence", 0, 1e5));
     set(out.length_scale, wind.number("length_scale", 0.1, 1e5));
     set(out.time_scale, wind.number("time_scale", 1e-3, 1e5));
@@ -85,43 +74,6 @@ void read_step(const TomlTable& dynamics, SimulationSettings& out) {
     set(out.sag_free, dynamics.boolean("sag_free"));
 }
 
-void read_keys(const TomlTable& table, MotionSettings& out) {
-    set(out.pivot, bounded(table, "pivot"));
-    for (const TomlTable& key : table.tables("keys")) {
-        PoseKey pose;
-        const auto frame = key.number("frame", -kMostFrame, kMostFrame);
-        if (!frame) key.fail("", "a key needs its 'frame'");
-        pose.frame = *frame;
-        if (!out.keys.empty() && pose.frame < out.keys.back().frame + 1e-6) {
-            key.fail("frame", "the frames of keys must rise");
-        }
-        set(pose.translation, bounded(key, "move"));
-        set(pose.rotation, bounded(key, "turn"));
-        out.keys.push_back(pose);
-    }
-}
-
-MotionSettings read_motion(const TomlTable& table) {
-    MotionSettings out;
-    read_keys(table, out);
-    if (const auto files = table.path("files")) {
-        if (!out.keys.empty()) {
-            table.fail("files", "a head moves by 'keys' or by 'files', not both");
-        }
-        out.files.pattern = files->string();
-        const auto first = table.integer("first", 0, std::int64_t(kMostFrame));
-        const auto last = table.integer("last", 0, std::int64_t(kMostFrame));
-        if (!first || !last || *first > *last) {
-            table.fail("files",
-                       "needs the frames that there are files for, 'first' and "
-                       "'last'");
-        }
-        out.files.first = int(*first);
-        out.files.last = int(*last);
-    }
-    return out;
-}
-
 ColliderSettings read_collider(const TomlTable& table) {
     ColliderSettings out;
     const auto shape = table.choice("shape", kShapes);
@@ -133,13 +85,13 @@ ColliderSettings read_collider(const TomlTable& table) {
     } else {
         Capsule body;
         set(body.radius, table.number("radius", 1e-3, 1e4));
-        set(body.a, bounded(table, *shape == 0 ? "centre" : "from"));
+        set(body.a, bounded_vector(table, *shape == 0 ? "centre" : "from"));
         body.b = body.a;
-        if (*shape == 1) set(body.b, bounded(table, "to"));
+        if (*shape == 1) set(body.b, bounded_vector(table, "to"));
         out.shape = body;
     }
     set(out.with_head, table.boolean("with_head"));
-    read_keys(table, out.motion);
+    read_motion_keys(table, out.motion);
     if (out.with_head && !out.motion.keys.empty()) {
         table.fail("keys", "a collider moves with the head or by keys, not both");
     }
@@ -170,8 +122,7 @@ DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene) {
     read_contact(dynamics.table("contact"), out);
     read_strands(dynamics.table("strands"), out.simulation.strand_contact);
     read_wind(dynamics.table("wind"), out.simulation.wind);
-    out.motion = read_motion(toml.table("motion"));
-    out.motion.files.centimetres_per_unit = scene.centimetres_per_unit();
+    out.motion = read_motion(toml.table("motion"), scene.centimetres_per_unit());
     for (const TomlTable& table : toml.tables("colliders")) {
         out.colliders.push_back(read_collider(table));
         if (out.colliders.back().with_head && !out.motion.files.pattern.empty()) {
@@ -181,22 +132,6 @@ DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene) {
         }
     }
     return out;
-}
-
-ScalpMotion scalp_motion(const MotionSettings& settings, const TriangleMesh* rest,
-                         double frames_per_second) {
-    if (!settings.files.pattern.empty()) {
-        if (!rest) {
-            throw InputError(fmt::format("{}: moves a scalp, and the groom has none",
-                                         settings.files.pattern));
-        }
-        ObjSequence files = settings.files;
-        files.frames_per_second = frames_per_second;
-        return MeshSequence(std::move(files), *rest);
-    }
-    std::vector<PoseKey> keys = settings.keys;
-    if (keys.empty()) keys.push_back({});
-    return make_rigid_path(std::move(keys), settings.pivot, frames_per_second);
 }
 
 SimulationScene simulation_scene(const DynamicsSettings& settings,

@@ -8,17 +8,11 @@
 #include <vector>
 
 #include "procedural/groom_guides.h"
+#include "procedural/motion_settings.h"
 #include "procedural/toml_table.h"
 #include "sim/simulation.h"
 
 namespace lancret {
-
-/// How the head moves; without keys and files it stands still.
-struct MotionSettings {
-    std::vector<PoseKey> keys;
-    Vec3 pivot = Vec3::Zero();  ///< cm
-    ObjSequence files;          ///< of the scalp; an empty pattern: none
-};
 
 /// A body beside the head.
 struct ColliderSettings {
@@ -36,11 +30,6 @@ struct DynamicsSettings {
 
 /// Reads the three tables. `gravity` is the scene's.
 DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene);
-
-/// The head's motion. `rest` is the scalp at rest, asked for by a mesh sequence alone.
-/// Throws InputError where that has none.
-ScalpMotion scalp_motion(const MotionSettings& settings, const TriangleMesh* rest,
-                         double frames_per_second);
 
 /// What the guides of a groom move with. Throws InputError.
 SimulationScene simulation_scene(const DynamicsSettings& settings,

@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "guides/errors.h"
+#include "procedural/evaluation_report.h"
 #include "tools/command.h"
 #include "tools/evaluate_picture.h"
-#include "tools/evaluate_report.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
 
@@ -80,45 +80,7 @@ std::optional<CurlSettings> parse_curl(const std::string& text) {
     return CurlSettings{value[0], value[1], value[2]};
 }
 
-/// The groom's strands, and the mesh under them.
-struct Subject {
-    Strands strands;
-    std::optional<Scalp> scalp;
-    std::optional<TriangleMesh> body;
-    std::vector<Polyline> partings;
-};
-
-Subject load_subject(const Groom& groom, const std::optional<CurlSettings>& curl) {
-    if (!groom.guides_file.empty() || groom.strands_file.extension() == ".h5") {
-        throw InputError(fmt::format(
-            "{}: holds guides alone; an evaluation needs a dense groom's strands",
-            (groom.guides_file.empty() ? groom.strands_file : groom.guides_file)
-                .string()));
-    }
-    Subject out;
-    std::vector<std::string> warnings;
-    out.scalp = load_scalp(groom);
-    LoadedGroom loaded = load_groom(groom, warnings);
-    if (!out.scalp && loaded.scalp) {
-        out.scalp = make_scalp(std::move(*loaded.scalp));
-        out.body = std::move(loaded.body);
-    }
-    if (!out.body && out.scalp) out.body = out.scalp->mesh;
-    out.partings = groom_partings(groom, loaded.partings, out.scalp, warnings);
-    for (const std::string& warning : warnings) {
-        fmt::print(stderr, "lancret: warning: {}\n", warning);
-    }
-    if (groom.regions.any()) {
-        fmt::print(stderr,
-                   "lancret: warning: {}: [regions] has no say in an evaluation\n",
-                   groom.name);
-    }
-    out.strands = curl ? wrapped_in_curls(loaded.strands, *curl, groom.seed)
-                       : std::move(loaded.strands);
-    return out;
-}
-
-void write_strip(const EvaluateOptions& options, Job& job, Subject& subject,
+void write_strip(const EvaluateOptions& options, Job& job, EvaluationSubject& subject,
                  const LeaveOut& taken, const GuideProfiles<float>& profiles,
                  const std::vector<Blend>& blends) {
     StripView view{.preview = job.preview,
@@ -150,17 +112,14 @@ int evaluate_groom(const EvaluateOptions& options) {
     Stopwatch watch;
     StageLine line;
     line.show("load");
-    Subject subject = load_subject(job.groom, curl);
+    std::vector<std::string> warnings;
+    EvaluationSubject subject = load_subject(job.groom, curl, warnings);
+    line.clear();
+    for (const std::string& warning : warnings) {
+        fmt::print(stderr, "lancret: warning: {}\n", warning);
+    }
     line.show("take apart");
-    const Partings partings(subject.partings);
-    const LeaveOut taken =
-        leave_out(subject.strands, subject.scalp ? &*subject.scalp : nullptr,
-                  {.guides = job.groom.guides,
-                   .segments = options.groom.segments,
-                   .bind = job.groom.bind,
-                   .partings = partings.size() > 0 ? &partings : nullptr,
-                   .seed = job.groom.seed},
-                  job.groom.name);
+    const LeaveOut taken = take_apart(job.groom, subject, options.groom.segments);
     line.clear();
     EvaluationReport report{.groom = job.groom.name,
                             .curl = curl,

@@ -55,9 +55,8 @@ int expand_groom(const ExpandOptions& options) {
         expand_adapted(job, generator, output, options.groom.stats);
         return kFine;
     }
-    const RestPlaces rest = prepare_frames(generator, chosen, job);
-    generator.profiles =
-        go_to_frame(generator, rest, chosen, job, chosen.frames[0]).profiles;
+    const RestPlaces rest = prepare_frames(generator, chosen);
+    generator.profiles = go_to_frame(generator, rest, chosen, chosen.frames[0]).profiles;
     Stopwatch watch;
     const Curves curves = expand(generator.binding, generator.profiles, job.groom.expand);
     const double seconds = watch.lap();

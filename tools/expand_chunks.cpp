@@ -30,9 +30,8 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
         make_chunked_groom(job.groom, most, [&](const char* stage) { line.show(stage); });
     line.clear();
     tell_warnings(groom.generator);
-    const RestPlaces rest = prepare_frames(groom.generator, chosen, job);
-    const FrameState state =
-        go_to_frame(groom.generator, rest, chosen, job, chosen.frames[0]);
+    const RestPlaces rest = prepare_frames(groom.generator, chosen);
+    const FrameState state = go_to_frame(groom.generator, rest, chosen, chosen.frames[0]);
     const bool moved = !chosen.cache.empty();
 
     Grown out;

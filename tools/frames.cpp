@@ -8,8 +8,6 @@
 #include <regex>
 
 #include "guides/errors.h"
-#include "guides/guides_between.h"
-#include "procedural/emission.h"
 
 namespace lancret {
 
@@ -50,10 +48,7 @@ std::pair<int, int> parse_frames(const std::string& text, const std::string& whe
 
 ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all) {
     ChosenFrames out;
-    const bool named = !job.groom.guides_file.empty();
-    if (named || job.groom.strands_file.extension() == ".h5") {
-        out.cache = named ? job.groom.guides_file : job.groom.strands_file;
-    }
+    static_cast<GroomTimes&>(out) = groom_times(job.groom, job.pose_at);
     const char* const option = options.frame ? "--frame" : "--frames";
     if (out.cache.empty()) {
         if (options.given()) {
@@ -64,7 +59,6 @@ ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all
         out.frames = {0};
         return out;
     }
-    out.info = guide_cache_info(out.cache);
     const int first = out.first(), last = out.last();
     std::pair<double, double> range{first, all ? last : first};
     if (options.frame) range = {*options.frame, *options.frame};
@@ -78,79 +72,6 @@ ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all
                           : fmt::format("frames {} to {}", first, last)));
     }
     for (double f = range.first; f <= range.second; ++f) out.frames.push_back(f);
-    return out;
-}
-
-RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
-                          const Job& job) {
-    const RestPlaces rest = rest_places(generator.binding, generator.source);
-    if (chosen.cache.empty() || chosen.info.frames < 2 || job.groom.intervals) {
-        return rest;
-    }
-    // Measured on the children that stand for all of them, at any density.
-    std::swap(generator.binding, generator.sample);
-    const RestPlaces sample_rest = rest_places(generator.binding, generator.source);
-    constexpr int kMeasured = 13;
-    const int n = std::min(kMeasured, chosen.info.frames);
-    int intervals = generator.profiles.count;
-    for (int i = 0; i < n; ++i) {
-        const int frame =
-            chosen.info.first_frame + (chosen.info.frames - 1) * i / std::max(n - 1, 1);
-        const FrameState state = go_to_frame(generator, sample_rest, chosen, job, frame);
-        try {
-            intervals = std::max(
-                intervals,
-                intervals_within(generator.binding, state.guides, job.groom.expand.blend,
-                                 job.groom.tolerance, job.groom.expand.basis));
-        } catch (const InputError& error) {
-            throw InputError(fmt::format("{}: frame {}: {}", chosen.cache.string(), frame,
-                                         error.what()));
-        }
-    }
-    pose_binding(generator.binding, sample_rest, RigidPose{});
-    std::swap(generator.binding, generator.sample);
-    if (intervals != generator.profiles.count) {
-        generator.profiles = guide_profiles<float>(generator.source.guides, intervals);
-    }
-    return rest;
-}
-
-Guides guides_at(const ChosenFrames& chosen, const RestPlaces& rest, const Job& job,
-                 double frame) {
-    const auto read = [&](int f) {
-        return read_guide_cache(chosen.cache, f - chosen.first());
-    };
-    const int whole = int(std::floor(frame));
-    const double share = frame - whole;
-    if (share == 0) return read(whole);
-    const Guides from = read(whole), to = read(whole + 1);
-    std::optional<Guides> before, after;
-    if (whole > chosen.first()) before = read(whole - 1);
-    if (whole + 1 < chosen.last()) after = read(whole + 2);
-    const GuideKeys keys{&from, &to, before ? &*before : nullptr,
-                         after ? &*after : nullptr};
-    if (!job.pose_at) return guides_between(keys, share);
-    const auto carriers_at = [&](double f) {
-        return carriers(job.pose_at(f), rest.guide_places, from.size());
-    };
-    RootCarriers roots{
-        carriers_at(whole), carriers_at(whole + 1), {}, {}, carriers_at(frame)};
-    if (before) roots.before = carriers_at(whole - 1);
-    if (after) roots.after = carriers_at(whole + 2);
-    return guides_between(keys, share, InTime::frames, &roots);
-}
-
-FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
-                       const ChosenFrames& chosen, const Job& job, double frame) {
-    FrameState out;
-    if (chosen.cache.empty()) {
-        out.guides = generator.source.guides;
-    } else {
-        out.guides = guides_at(chosen, rest, job, frame);
-        if (job.pose_at) out.pose = job.pose_at(frame);
-    }
-    out.scalp_roots = pose_binding(generator.binding, rest, out.pose);
-    out.profiles = guide_profiles<float>(out.guides, generator.profiles.count);
     return out;
 }
 

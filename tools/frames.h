@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "guides/guide_cache.h"
-#include "procedural/pose.h"
+#include "procedural/moving_groom.h"
 #include "tools/command.h"
 
 namespace lancret {
@@ -25,13 +24,8 @@ void add_frame_option(CLI::App& command, FrameOptions& options);
 void add_frames_options(CLI::App& command, FrameOptions& options);
 
 /// The frames of a job's cache that a command works on, as an artist counts them.
-struct ChosenFrames {
-    std::filesystem::path cache;  ///< empty: the groom is no cache and holds still
-    GuideCacheInfo info;          ///< of the cache
-    std::vector<double> frames;   ///< at least one; where there is no cache, {0}
-
-    int first() const { return info.first_frame; }
-    int last() const { return info.first_frame + (info.frames - 1); }
+struct ChosenFrames : GroomTimes {
+    std::vector<double> frames;  ///< at least one; where there is no cache, {0}
 };
 
 /// "12" or "1-96"; {first, last}. Throws InputError that begins with `where`.
@@ -41,32 +35,6 @@ std::pair<int, int> parse_frames(const std::string& text, const std::string& whe
 /// all of them where `all`, else one. Throws InputError where there is no cache to choose
 /// from, or where it has no such frame: then it says which it has.
 ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all);
-
-/// Everything of one frame that is not the same in all.
-struct FrameState {
-    Guides guides;
-    GuideProfiles<float> profiles;
-    std::vector<Vec3> scalp_roots;  ///< [guides], cm: where the scalp has their roots
-    ScalpPose pose;                 ///< of the scalp
-};
-
-/// What `generator`'s binding is at rest; to be called before any frame. The points of a
-/// strand are the same in all frames, so where a groom does not say how many intervals it
-/// has, they are measured on frames spread over the whole cache too: hair that moves
-/// bends more than hair at rest. Throws InputError.
-RestPlaces prepare_frames(Generator& generator, const ChosenFrames& chosen,
-                          const Job& job);
-
-/// Brings `generator`'s binding to a frame of `chosen`. `rest` is what the binding was
-/// before the first frame. Where the job knows no motion, the scalp stays at rest. Throws
-/// InputError.
-FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
-                       const ChosenFrames& chosen, const Job& job, double frame);
-
-/// The guides of a cache at a frame or between two: see guides_between. Where the job
-/// knows how the scalp moves, the roots follow it. Throws InputError.
-Guides guides_at(const ChosenFrames& chosen, const RestPlaces& rest, const Job& job,
-                 double frame);
 
 /// The times at which a picture of `frame` needs its strands, as frames.
 struct ShutterTimes {

@@ -80,7 +80,7 @@ int preview(const PreviewOptions& options) {
     if (job.preview.hair.aspect < 1) ask_for_faces(job);
 
     Generator generator = run_generator(job.groom);
-    RestPlaces rest = prepare_frames(generator, chosen, job);
+    RestPlaces rest = prepare_frames(generator, chosen);
     const std::size_t views = options.turntable ? outputs.size() : 0;
     const std::vector<Camera> cameras = cameras_of(job, generator, views);
     RenderScene scene;

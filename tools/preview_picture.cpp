@@ -87,7 +87,8 @@ bool as_before(const std::vector<ShownTime>& moments, const RestPlaces& rest,
     for (std::size_t i = 0; i < times.size() && !chosen.cache.empty(); ++i) {
         const ScalpPose pose = job.pose_at ? job.pose_at(times[i]) : ScalpPose();
         if (!same(moments[i].state.pose, pose) ||
-            !same(moments[i].state.guides, guides_at(chosen, rest, job, times[i]))) {
+            !same(moments[i].state.guides,
+                  guides_at(chosen, rest.guide_places, times[i]))) {
             return false;
         }
     }
@@ -100,7 +101,7 @@ HairScene grow(Generator& generator, RestPlaces& rest, const ChosenFrames& chose
                PictureCost& cost, bool last) {
     moments.clear();
     for (const double frame : times) {
-        FrameState state = go_to_frame(generator, rest, chosen, job, frame);
+        FrameState state = go_to_frame(generator, rest, chosen, frame);
         Stopwatch watch;
         Curves curves = expand(generator.binding, state.profiles, job.groom.expand);
         cost.expand += watch.lap();

@@ -1,15 +1,47 @@
 #include "procedural/abi/bound.h"
 
+#include <algorithm>
+
 #include "procedural/abi/chunk.h"
+#include "procedural/children.h"
 #include "procedural/chunk_bound.h"
 
 namespace lancret::abi {
 
 namespace {
 
-Eigen::AlignedBox3f roots_of(const ChunkedGroom& groom, std::uint32_t chunk) {
-    Eigen::AlignedBox3f out;
-    for (const std::uint32_t i : groom.chunks.of(chunk)) out.extend(place_of(groom, i));
+/// By the roots alone, wherever the scalp carries them.
+ChunkBound reach_of(const Prepared& groom, std::uint32_t chunk, const Request& request) {
+    const Generator& generator = groom.generator();
+    BoundChunk roots{request, {}};
+    roots.binding.roots = child_roots(generator.source, groom.groom().places,
+                                      groom.groom().chunks.of(chunk));
+    roots.binding.guide_normals = generator.source.normals;
+    Eigen::AlignedBox3f box;
+    for (const double frame : request.frames) {
+        const auto pose = groom.pose(frame, request.intervals);
+        const Binding posed =
+            groom.times().moves() ? at_pose(groom, roots, *pose) : roots.binding;
+        for (const Vec3f& root : posed.roots.positions) box.extend(root);
+        if (request.is_still()) break;
+    }
+    const float longest =
+        std::ranges::max(generator.profiles.lengths) * generator.groom.bind.length_scale;
+    return reach_bound(box, longest, request.intervals, settings_of(groom, request),
+                       request.density);
+}
+
+ChunkBound tight_bound(const Prepared& groom, const BoundChunk& bound) {
+    const Request& request = bound.request;
+    const ExpandSettings settings = settings_of(groom, request);
+    ChunkBound out;
+    for (const double frame : request.frames) {
+        const auto pose = groom.pose(frame, request.intervals);
+        const Binding posed =
+            groom.times().moves() ? at_pose(groom, bound, *pose) : bound.binding;
+        out.extend(chunk_bound(posed, pose->profiles, pose->kernel, settings));
+        if (request.is_still()) break;
+    }
     return out;
 }
 
@@ -17,23 +49,10 @@ Eigen::AlignedBox3f roots_of(const ChunkedGroom& groom, std::uint32_t chunk) {
 
 Eigen::AlignedBox3f bound_box(const Prepared& groom, std::uint32_t chunk,
                               const lancret_options* options, int kind) {
-    const Generator& generator = groom.generator();
-    ChunkBound found;
-    Request request;
-    if (kind == LANCRET_REACH) {
-        request = read_request(groom, chunk, options);
-        const float longest = std::ranges::max(generator.profiles.lengths) *
-                              generator.groom.bind.length_scale;
-        found = reach_bound(roots_of(groom.groom, chunk), longest, request.intervals,
-                            settings_of(groom, request), request.density);
-    } else {
-        const BoundChunk bound = bind_request(groom, chunk, options);
-        request = bound.request;
-        const auto pose = guide_pose(groom, request);
-        found = chunk_bound(bound.binding, pose->profiles, pose->kernel,
-                            settings_of(groom, request));
-    }
-    stop_if_cancelled();
+    const Request request = read_request(groom, chunk, options);
+    const ChunkBound found =
+        kind == LANCRET_REACH ? reach_of(groom, chunk, request)
+                              : tight_bound(groom, bind_request(groom, chunk, options));
     const Eigen::AlignedBox3f box = found.box();
     if (box.isEmpty()) return box;
     return {box.min() * float(request.scale), box.max() * float(request.scale)};

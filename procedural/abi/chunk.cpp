@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
+#include "guides/errors.h"
 #include "guides/hash.h"
 #include "procedural/faces.h"
 
@@ -11,10 +13,6 @@ namespace lancret::abi {
 namespace {
 
 constexpr std::uint64_t kRandomSalt = 0x72616e64;  // "rand"
-
-CurveBasis basis_of(const Request& request) {
-    return request.basis == LANCRET_HERMITE ? CurveBasis::hermite : CurveBasis::bspline;
-}
 
 /// The library's arrays are const to those who only read them.
 template <class T>
@@ -35,46 +33,47 @@ Buffer<Point4f> target(const float* const* arrays, std::size_t time, std::size_t
     return Buffer<Point4f>::over(reinterpret_cast<Point4f*>(writable(wanted)), size);
 }
 
-/// The direction of the curve where each control point has the most weight.
-void bspline_tangents(const Curves& curves, float* tangents) {
-    auto* to = reinterpret_cast<Point4f*>(tangents);
-    const std::size_t m = curves.points_per_strand;
-    for (std::size_t i = 0; i < curves.points.size(); i += m) {
-        for (std::size_t j = 0; j < m; ++j) {
-            const std::size_t at = i + std::clamp<std::size_t>(j, 1, m - 2);
-            const Vec3f along = curves.points[at + 1].xyz() - curves.points[at - 1].xyz();
-            const Vec3f unit = along.normalized();
-            to[i + j] = {unit.x(), unit.y(), unit.z(), 0};
-        }
-    }
-}
-
 void scale_points(std::span<Point4f> points, float scale) {
     if (scale == 1) return;
     for (Point4f& p : points) p = {p.x * scale, p.y * scale, p.z * scale, p.w * scale};
 }
 
-void write_time(const Prepared& groom, const BoundChunk& bound, const lancret_curves& out,
-                std::size_t time, Workspace& workspace) {
-    const Request& request = bound.request;
-    const std::size_t points = sizes_of(bound).points;
-    const auto settings = settings_of(groom, request);
+void write_time(const Prepared& groom, const Request& request, const Binding& posed,
+                const GuidePose& pose, const lancret_curves& out, std::size_t time,
+                Workspace& workspace) {
+    const std::size_t points = sizes_of(request, posed).points;
+    ExpandSettings settings = settings_of(groom, request);
     const bool hermite = request.basis == LANCRET_HERMITE;
+    settings.directions = !hermite && out.tangents && out.tangents[time];
     Curves curves;
     curves.points = target(out.positions, time, points, workspace);
-    if (hermite) curves.tangents = target(out.tangents, time, points, workspace);
-    if (settings.has_faces())
-        curves.normals = target(out.normals, time, points, workspace);
-    curves.segments =
-        over<std::uint32_t>(workspace, bound.binding.size() * request.intervals);
-    const auto pose = guide_pose(groom, request);
-    expand(bound.binding, pose->profiles, pose->kernel, settings, curves);
-    stop_if_cancelled();
-    if (!hermite && out.tangents && out.tangents[time]) {
-        bspline_tangents(curves, writable(out.tangents[time]));
+    if (hermite || settings.directions) {
+        curves.tangents = target(out.tangents, time, points, workspace);
     }
+    if (settings.has_faces()) {
+        curves.normals = target(out.normals, time, points, workspace);
+    }
+    if (!is_of_hermite(request.curve)) {
+        curves.segments =
+            over<std::uint32_t>(workspace, posed.size() * std::size_t(request.intervals));
+    }
+    expand(posed, pose.profiles, pose.kernel, settings, curves);
     scale_points(curves.points.span(), float(request.scale));
-    scale_points(curves.tangents.span(), float(request.scale));
+    if (hermite) scale_points(curves.tangents.span(), float(request.scale));
+}
+
+/// Whether what is asked for at any time is asked for at the first.
+bool all_of_first(const lancret_curves& out) {
+    return (!out.positions || out.positions[0]) && (!out.tangents || out.tangents[0]) &&
+           (!out.normals || out.normals[0]);
+}
+
+/// What was written for the first time is there at another as well.
+void copy_time(const lancret_curves& out, std::size_t points, std::size_t time) {
+    for (const float* const* arrays : {out.positions, out.tangents, out.normals}) {
+        if (!arrays || !arrays[0] || !arrays[time] || arrays[0] == arrays[time]) continue;
+        std::memcpy(writable(arrays[time]), arrays[0], points * sizeof(Point4f));
+    }
 }
 
 /// What is one a strand, whatever the time.
@@ -86,7 +85,7 @@ void write_strands(const Prepared& groom, const BoundChunk& bound,
     const Request& request = bound.request;
     const float scale = float(request.scale);
     if (out.counts) {
-        const lancret_curves sizes = sizes_of(bound);
+        const lancret_curves sizes = sizes_of(bound.request, bound.binding);
         std::fill_n(writable(out.counts), strands,
                     sizes.points / std::max(1u, sizes.strands));
     }
@@ -120,13 +119,16 @@ void write_strands(const Prepared& groom, const BoundChunk& bound,
 /// that the curve itself begins at 0 and ends at the strand's length.
 void write_arc_lengths(const BoundChunk& bound, float* to) {
     const Request& request = bound.request;
-    const lancret_curves sizes = sizes_of(bound);
+    const lancret_curves sizes = sizes_of(bound.request, bound.binding);
     if (sizes.strands == 0) return;
     const std::size_t m = sizes.points / sizes.strands;
-    const float before = request.basis == LANCRET_BSPLINE ? 1 : 0;
+    const bool beyond =
+        request.basis == LANCRET_BSPLINE || request.basis == LANCRET_CATMULL_ROM;
+    const float before = beyond ? 1 : 0;
+    const int in_interval = request.basis == LANCRET_BEZIER ? 3 : 1;
     for (std::size_t i = 0; i < sizes.strands; ++i) {
-        const float step =
-            bound.binding.lengths[i] * float(request.scale) / float(request.intervals);
+        const float step = bound.binding.lengths[i] * float(request.scale) /
+                           float(request.intervals * in_interval);
         for (std::size_t j = 0; j < m; ++j) *to++ = (float(j) - before) * step;
     }
 }
@@ -135,29 +137,16 @@ void write_arc_lengths(const BoundChunk& bound, float* to) {
 
 ExpandSettings settings_of(const Prepared& groom, const Request& request) {
     ExpandSettings out = groom.generator().groom.expand;
-    out.basis = basis_of(request);
+    out.basis = request.curve;
     out.faces = out.faces || request.wants(LANCRET_NORMALS);
     return out;
-}
-
-std::shared_ptr<const GuidePose> guide_pose(const Prepared& groom,
-                                            const Request& request) {
-    return groom.poses.get(request.intervals, [&] {
-        const Generator& generator = groom.generator();
-        auto made = std::make_shared<GuidePose>();
-        made->profiles =
-            guide_profiles<float>(generator.source.guides, request.intervals);
-        made->kernel = kernel_guides(made->profiles, generator.binding.guide_normals,
-                                     generator.groom.expand.blend);
-        return made;
-    });
 }
 
 BoundChunk bind_request(const Prepared& groom, std::uint32_t chunk,
                         const lancret_options* options) {
     BoundChunk out{read_request(groom, chunk, options), {}};
     const Generator& generator = groom.generator();
-    out.binding = bind_chunk(groom.groom, chunk, out.request.density);
+    out.binding = bind_chunk(groom.groom(), chunk, out.request.density);
     stop_if_cancelled();
     if (out.request.wants(LANCRET_NORMALS) && out.binding.faces.empty()) {
         out.binding.faces =
@@ -166,38 +155,62 @@ BoundChunk bind_request(const Prepared& groom, std::uint32_t chunk,
     return out;
 }
 
-lancret_curves sizes_of(const BoundChunk& bound) {
+lancret_curves sizes_of(const Request& request, const Binding& binding) {
     lancret_curves out{};
-    const Request& request = bound.request;
     out.size = sizeof out;
     out.basis = request.basis;
-    out.strands = lancret_u32(bound.binding.size());
-    out.points = out.strands *
-                 control_points_of(basis_of(request), std::uint32_t(request.intervals));
-    out.times = lancret_u32(request.times.size());
-    out.neighbours = lancret_u32(bound.binding.neighbours);
+    out.strands = lancret_u32(binding.size());
+    const std::uint64_t points =
+        std::uint64_t(out.strands) *
+        control_points_of(request.curve, std::uint32_t(request.intervals));
+    if (points > std::numeric_limits<lancret_u32>::max()) {
+        throw InputError("a chunk has more than 2^32 points: make chunks smaller");
+    }
+    out.points = lancret_u32(points);
+    out.times = lancret_u32(request.frames.size());
+    out.neighbours = lancret_u32(binding.neighbours);
+    return out;
+}
+
+Binding at_pose(const Prepared& groom, const BoundChunk& bound, const GuidePose& pose) {
+    Binding out = bound.binding;
+    pose_binding_on(out, rest_places(bound.binding, groom.generator().source),
+                    pose.scalp);
     return out;
 }
 
 void write_chunk(const Prepared& groom, const BoundChunk& bound,
                  const lancret_curves& out, Workspace& workspace) {
+    const Request& request = bound.request;
     write_strands(groom, bound, out);
     if (out.arc_lengths) write_arc_lengths(bound, writable(out.arc_lengths));
-    for (std::size_t time = 0; time < bound.request.times.size(); ++time) {
-        write_time(groom, bound, out, time, workspace);
+    const bool still = request.is_still() && all_of_first(out);
+    for (std::size_t time = 0; time < request.frames.size(); ++time) {
+        if (still && time > 0) {
+            copy_time(out, sizes_of(request, bound.binding).points, time);
+            continue;
+        }
+        const auto pose = groom.pose(request.frames[time], request.intervals);
+        if (!groom.times().moves()) {
+            write_time(groom, request, bound.binding, *pose, out, time, workspace);
+        } else {
+            write_time(groom, request, at_pose(groom, bound, *pose), *pose, out, time,
+                       workspace);
+        }
     }
 }
 
-ChunkArrays::ChunkArrays(const BoundChunk& bound, bool one_time, Workspace& workspace)
-    : curves(sizes_of(bound)) {
+ChunkArrays::ChunkArrays(const BoundChunk& bound, Workspace& workspace)
+    : curves(sizes_of(bound.request, bound.binding)) {
     const Request& request = bound.request;
     const std::size_t strands = curves.strands;
+    const bool still = request.is_still();
     const auto each_time = [&](std::vector<const float*>& arrays) {
         arrays.push_back(workspace.take_array<float>(curves.points * std::size_t(4)));
         for (std::size_t t = 1; t < curves.times; ++t) {
             arrays.push_back(
-                one_time ? arrays[0]
-                         : workspace.take_array<float>(curves.points * std::size_t(4)));
+                still ? arrays[0]
+                      : workspace.take_array<float>(curves.points * std::size_t(4)));
         }
         return arrays.data();
     };

@@ -18,12 +18,11 @@ BoundChunk bind_request(const Prepared& groom, std::uint32_t chunk,
 /// What expansion is told.
 ExpandSettings settings_of(const Prepared& groom, const Request& request);
 
-/// The guides as a request cuts them.
-std::shared_ptr<const GuidePose> guide_pose(const Prepared& groom,
-                                            const Request& request);
+/// The binding where the scalp is at that pose.
+Binding at_pose(const Prepared& groom, const BoundChunk& bound, const GuidePose& pose);
 
 /// All of lancret_curves but its pointers.
-lancret_curves sizes_of(const BoundChunk& bound);
+lancret_curves sizes_of(const Request& request, const Binding& binding);
 
 /// Writes the arrays that `out` points to, all but those that are null; all of them are
 /// as long as sizes_of says. `workspace` lends memory for what is not kept.
@@ -35,7 +34,7 @@ struct ChunkArrays {
     std::vector<const float*> positions, tangents, normals;  ///< [times]
     lancret_curves curves;                                   ///< points into these
 
-    ChunkArrays(const BoundChunk& bound, bool one_time, Workspace& workspace);
+    ChunkArrays(const BoundChunk& bound, Workspace& workspace);
     ChunkArrays(const ChunkArrays&) = delete;
     ChunkArrays& operator=(const ChunkArrays&) = delete;
 };

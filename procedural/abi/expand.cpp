@@ -30,7 +30,7 @@ lancret_status lancret_expand(const lancret_groom* groom, lancret_u32 chunk,
         const Prepared& own = *groom->own;
         const BoundChunk bound = bind_request(own, chunk, options);
         const WorkspaceLoan workspace(groom->context.workspaces);
-        const ChunkArrays arrays(bound, false, *workspace);
+        const ChunkArrays arrays(bound, *workspace);
         write_chunk(own, bound, arrays.curves, *workspace);
         lancret::stop_if_cancelled();
         const lancret_status status = sink(user, &arrays.curves);
@@ -49,8 +49,10 @@ lancret_status lancret_chunk_open(const lancret_groom* groom, lancret_u32 chunk,
 
 lancret_status lancret_chunk_sizes(const lancret_chunk* bound, lancret_curves* sizes) {
     if (!bound) return LANCRET_BAD_CALL;
-    return run(bound->groom->context,
-               [&] { write_sized(sizes, sizes_of(bound->own), "lancret_curves"); });
+    return run(bound->groom->context, [&] {
+        write_sized(sizes, sizes_of(bound->own.request, bound->own.binding),
+                    "lancret_curves");
+    });
 }
 
 lancret_status lancret_chunk_write(const lancret_chunk* bound,

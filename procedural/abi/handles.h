@@ -27,6 +27,9 @@ namespace lancret::abi {
 
 void log(const lancret_context& context, int level, const std::string& text);
 
+/// Copies `text`, cut to `size` bytes with its end, and not inside a letter of UTF-8.
+void copy_text(const std::string& text, char* to, std::size_t size);
+
 /// Does the work of one call: in its own TBB arena of as many threads as the host gives,
 /// so that none of the host's own tasks is taken up meanwhile, with the processor's
 /// rounding as Lancret is used to, and until the host cancels. What is thrown becomes a

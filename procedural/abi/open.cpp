@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstring>
 #include <new>
 
 #include "procedural/abi/handles.h"
@@ -12,15 +10,6 @@
 namespace lancret::abi {
 
 namespace {
-
-/// Cut to `size` bytes with the end, and not inside a letter of UTF-8.
-void copy_text(const std::string& text, char* to, std::size_t size) {
-    if (!to || size == 0) return;
-    std::size_t length = std::min(text.size(), size - 1);
-    while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;
-    std::memcpy(to, text.data(), length);
-    to[length] = 0;
-}
 
 void tell_warnings(const lancret_context& context, const GroomGuides& source) {
     for (const std::string& warning : source.warnings) {
@@ -35,30 +24,37 @@ void tell_warnings(const lancret_context& context, const GroomGuides& source) {
 }
 
 std::shared_ptr<const Prepared> prepare(lancret_context& context, const Source& source) {
-    const Groom groom = read_groom_source(source.settings);
-    return context.grooms.get(key_of(source, groom), [&] {
+    const SourcedGroom sourced = read_groom_source(source.settings);
+    const auto make = [&] {
         const auto stage = [&](const char* name) {
             stop_if_cancelled();
-            log(context, LANCRET_LOG_INFO, fmt::format("{}: {}", groom.name, name));
+            log(context, LANCRET_LOG_INFO,
+                fmt::format("{}: {}", sourced.groom.name, name));
         };
-        auto out = std::make_shared<const Prepared>(
-            make_chunked_groom(groom, source.chunk_strands, stage));
+        auto out = std::make_shared<const Prepared>(sourced, source.chunk_strands, stage);
         stop_if_cancelled();
-        tell_warnings(context, out->generator().source);
         return out;
-    });
+    };
+    const auto key = key_of(source, sourced);
+    auto out = key ? context.grooms.get(*key, make) : make();
+    tell_warnings(context, out->generator().source);
+    return out;
 }
 
 lancret_info info_of(const Prepared& groom) {
     const Generator& generator = groom.generator();
     const SceneUnits& scene = generator.groom.scene;
     lancret_info out{};
-    out.chunks = lancret_u32(groom.groom.chunks.size());
-    out.strands = lancret_u32(groom.groom.places.size());
+    out.chunks = lancret_u32(groom.groom().chunks.size());
+    out.strands = lancret_u32(groom.groom().places.size());
     out.guides = lancret_u32(generator.source.guides.size());
     out.segments = lancret_u32(generator.source.guides.segments);
     out.intervals = lancret_u32(generator.profiles.count);
     out.neighbours = lancret_u32(generator.binding.neighbours);
+    if (groom.times().moves()) {
+        out.first_frame = groom.times().first();
+        out.last_frame = groom.times().last();
+    }
     out.cm_per_unit = float(scene.centimetres_per_unit());
     for (int i = 0; i < 3; ++i) out.up[i] = float(scene.up[i]);
     out.load_seconds = generator.seconds.load;
@@ -130,7 +126,7 @@ lancret_status lancret_get_guides(const lancret_groom* groom, lancret_guides* gu
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
         const lancret::Guides& from = groom->own->generator().source.guides;
-        const GuideArrays& arrays = groom->own->guides;
+        const GuideArrays& arrays = groom->own->guide_arrays();
         static_assert(sizeof(lancret::Vec3) == 3 * sizeof(double));
         lancret_guides out{};
         out.guides = lancret_u32(from.size());

@@ -1,23 +1,71 @@
 #include "procedural/abi/prepared.h"
 
+#include <algorithm>
+
+#include "procedural/emission.h"
+
 namespace lancret::abi {
 
-Prepared::Prepared(ChunkedGroom made) : groom(std::move(made)) {
+Prepared::Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
+                   const StageCallback& stage)
+    : groom_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
+      times_(groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom))) {
+    if (times_.moves()) prepare_frames(groom_.generator, times_);
     const GroomGuides& source = generator().source;
     for (const Mat3& frame : source.guides.root_frames) {
         for (int r = 0; r < 3; ++r) {
-            for (int c = 0; c < 3; ++c) guides.root_frames.push_back(frame(r, c));
+            for (int c = 0; c < 3; ++c) arrays_.root_frames.push_back(frame(r, c));
         }
     }
-    for (const FitReport& fit : source.fits) guides.fit_rms.push_back(fit.rms);
+    for (const FitReport& fit : source.fits) arrays_.fit_rms.push_back(fit.rms);
+}
+
+double Prepared::frame_at(double time) const {
+    if (!times_.moves()) return 0;
+    return std::clamp(time, double(times_.first()), double(times_.last()));
+}
+
+std::shared_ptr<const GuidePose> Prepared::pose(double frame, int intervals) const {
+    return poses_.get({frame, intervals}, [&] {
+        const GroomGuides& source = generator().source;
+        const bool moves = times_.moves();
+        auto out = std::make_shared<GuidePose>();
+        out->guides =
+            moves ? guides_at(times_, source.places, frame) : generator().source.guides;
+        // No children yet: the guides' normals alone.
+        Binding none;
+        none.guide_normals = source.normals;
+        const RestPlaces rest = rest_places(none, source);
+        const bool on_head = moves && times_.pose_at;
+        out->scalp =
+            posed_scalp(rest, on_head ? times_.pose_at(frame) : ScalpPose(RigidPose{}));
+        if (moves) pose_binding_on(none, rest, out->scalp);
+        out->profiles = guide_profiles<float>(out->guides, intervals);
+        out->kernel = kernel_guides(out->profiles, none.guide_normals,
+                                    generator().groom.expand.blend);
+        return out;
+    });
+}
+
+int Prepared::intervals(CurveBasis basis, float max_error) const {
+    const Groom& own = generator().groom;
+    const bool as_groom = max_error == 0;
+    if (as_groom && (own.intervals || basis == own.expand.basis)) {
+        return generator().profiles.count;
+    }
+    return *intervals_.get({basis, max_error}, [&] {
+        return std::make_shared<const int>(intervals_in_time(
+            generator(), times_, basis, as_groom ? own.tolerance : double(max_error),
+            is_of_hermite(basis) ? kMostIntervalsAsked : kMostIntervals));
+    });
 }
 
 std::size_t Prepared::bytes() const {
     const GroomGuides& source = generator().source;
     const auto of = [](const auto& v) { return v.size() * sizeof(v[0]); };
-    std::size_t out = groom.bytes() + generator().binding.bytes() +
-                      generator().sample.bytes() + of(guides.root_frames) +
-                      of(guides.fit_rms);
+    std::size_t out = groom_.bytes() + generator().binding.bytes() +
+                      generator().sample.bytes() + of(arrays_.root_frames) +
+                      of(arrays_.fit_rms);
     out += of(source.guides.root_positions) + of(source.guides.root_frames) +
            of(source.guides.segment_lengths) + of(source.guides.curvatures);
     out += of(source.grown_roots) + of(source.grown_tangents) + of(source.normals);

@@ -2,17 +2,20 @@
 // A groom that is open: what all handles on the same source share.
 
 #include <memory>
-#include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "procedural/abi/shared_by_key.h"
 #include "procedural/chunked_groom.h"
+#include "procedural/groom_source.h"
+#include "procedural/moving_groom.h"
 
 namespace lancret::abi {
 
-/// A chunked groom's guides at one time, cut for one number of intervals.
+/// The guides and the scalp at one time, cut for one number of intervals.
 struct GuidePose {
+    Guides guides;
+    PosedScalp scalp;
     GuideProfiles<float> profiles;
     KernelGuides kernel;
 };
@@ -23,17 +26,37 @@ struct GuideArrays {
     std::vector<double> fit_rms;      ///< [guides], or empty
 };
 
+/// Where the search for intervals ends: a polyline needs many.
+inline constexpr int kMostIntervalsAsked = 1024;
+
 /// Read by any number of threads.
-struct Prepared {
-    explicit Prepared(ChunkedGroom groom);
+class Prepared {
+  public:
+    /// Loads, fits, places and cuts. Throws InputError, Cancelled.
+    Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
+             const StageCallback& stage);
 
-    ChunkedGroom groom;
-    GuideArrays guides;
-    mutable SharedByKey<int, GuidePose> poses{4};
+    const ChunkedGroom& groom() const { return groom_; }
+    const Generator& generator() const { return groom_.generator; }
+    const GroomTimes& times() const { return times_; }
+    const GuideArrays& guide_arrays() const { return arrays_; }
 
-    const Generator& generator() const { return groom.generator; }
+    /// A time as what is there at it: held where the cache ends, 0 where nothing moves.
+    double frame_at(double time) const;
+    /// The last few of these are kept. Throws InputError, Cancelled.
+    std::shared_ptr<const GuidePose> pose(double frame, int intervals) const;
+    /// The number of intervals that keeps curves of `basis` within `max_error` cm of the
+    /// strands; at 0 what the groom itself says. Throws InputError, Cancelled.
+    int intervals(CurveBasis basis, float max_error) const;
     /// Kept while this is open; of what can be made again nothing.
     std::size_t bytes() const;
+
+  private:
+    ChunkedGroom groom_;
+    GroomTimes times_;
+    GuideArrays arrays_;
+    mutable SharedByKey<std::pair<double, int>, GuidePose> poses_{16};
+    mutable SharedByKey<std::pair<CurveBasis, float>, int> intervals_{64};
 };
 
 }  // namespace lancret::abi

@@ -10,6 +10,7 @@ namespace lancret::abi {
 namespace {
 
 constexpr std::size_t kMostTimes = 64;
+constexpr float kLeastError = 1e-4f;  // cm, as in a groom's file
 constexpr std::uint32_t kKnownAttributes =
     LANCRET_TANGENTS | LANCRET_NORMALS | LANCRET_IDS | LANCRET_ROOT_UV | LANCRET_LENGTHS |
     LANCRET_GUIDES | LANCRET_ARC_LENGTHS | LANCRET_RANDOM;
@@ -22,7 +23,7 @@ bool is_amount(double x) { return x >= 0 && x <= 1e30; }
 
 Request read_request(const Prepared& groom, std::uint32_t chunk,
                      const lancret_options* options) {
-    require(chunk < groom.groom.chunks.size(), "there is no such chunk");
+    require(chunk < groom.groom().chunks.size(), "there is no such chunk");
     lancret_options in{};
     in.size = sizeof in;
     if (options) in = read_sized(options, "lancret_options and its size");
@@ -39,24 +40,31 @@ Request read_request(const Prepared& groom, std::uint32_t chunk,
     require((in.attributes & ~kKnownAttributes) == 0, "lancret_options: attributes");
 
     Request out;
-    out.times.assign(in.times, in.times + in.time_count);
-    require(std::ranges::all_of(out.times, [](double t) { return std::isfinite(t); }),
-            "lancret_options: a time is not finite");
-    if (out.times.empty()) out.times = {0};
+    const double scale = in.unit > 0 ? double(in.unit) : 1;
+    for (std::size_t i = 0; i < in.time_count; ++i) {
+        require(std::isfinite(in.times[i]), "lancret_options: a time is not finite");
+        out.frames.push_back(groom.frame_at(in.times[i]));
+    }
+    if (out.frames.empty()) out.frames = {groom.frame_at(groom.times().first())};
+    constexpr CurveBasis kBases[] = {CurveBasis::linear, CurveBasis::bspline,
+                                     CurveBasis::catmull_rom, CurveBasis::bezier,
+                                     CurveBasis::hermite};
     out.basis = in.basis;
-    require(in.basis == LANCRET_BSPLINE || in.basis == LANCRET_HERMITE,
-            "lancret_options: basis");
+    out.curve = kBases[in.basis];
+    out.max_error = float(in.max_error * scale);
+    require(out.max_error == 0 || out.max_error >= kLeastError,
+            "lancret_options: max_error is below a micrometre");
+    out.intervals = groom.intervals(out.curve, out.max_error);
     const Generator& generator = groom.generator();
-    out.intervals = generator.profiles.count;
     out.density = in.density > 0 ? in.density : generator.groom.density;
     if (in.strands_a_pixel > 0) {
-        out.density = std::min(out.density,
-                               lod_density(in.pixels, groom.groom.chunks.of(chunk).size(),
-                                           in.strands_a_pixel));
+        out.density = std::min(
+            out.density, lod_density(in.pixels, groom.groom().chunks.of(chunk).size(),
+                                     in.strands_a_pixel));
     }
     out.density = std::max(out.density, kLeastDensity);
     out.attributes = in.attributes;
-    if (in.unit > 0) out.scale = 1 / double(in.unit);
+    out.scale = 1 / scale;
     return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // What a host asks of a chunk.
 
+#include <algorithm>
 #include <vector>
 
 #include "procedural/abi/handles.h"
@@ -10,13 +11,20 @@ namespace lancret::abi {
 
 /// Options that were looked at, for one chunk.
 struct Request {
-    std::vector<double> times;  ///< frames, at least one
-    int basis = 0;              ///< LANCRET_LINEAR, ...
-    int intervals = 0;          ///< a strand
+    int basis = 0;  ///< LANCRET_LINEAR, ...
+    std::vector<double>
+        frames;  ///< at least one: what is there at each time: see Prepared::frame_at
+    CurveBasis curve = CurveBasis::linear;  ///< the same
+    float max_error = 0;                    ///< cm; 0: the groom's own
+    int intervals = 0;                      ///< a strand
     double density = 1;
     std::uint32_t attributes = 0;
     double scale = 1;  ///< units of what is given back in a cm
 
+    /// Whether all times are one.
+    bool is_still() const {
+        return std::ranges::count(frames, frames[0]) == std::ptrdiff_t(frames.size());
+    }
     bool wants(std::uint32_t attribute) const { return attributes & attribute; }
 };
 

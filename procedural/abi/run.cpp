@@ -1,7 +1,9 @@
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
 
+#include <algorithm>
 #include <cfenv>
+#include <cstring>
 #include <exception>
 
 #include "guides/errors.h"
@@ -66,6 +68,14 @@ class Call {
 };
 
 }  // namespace
+
+void copy_text(const std::string& text, char* to, std::size_t size) {
+    if (!to || size == 0) return;
+    std::size_t length = std::min(text.size(), size - 1);
+    while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;
+    std::memcpy(to, text.data(), length);
+    to[length] = 0;
+}
 
 void log(const lancret_context& context, int level, const std::string& text) {
     if (context.host.log) context.host.log(context.host.user, level, text.c_str());

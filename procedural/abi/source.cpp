@@ -20,9 +20,9 @@ void add(std::string& key, std::string_view text) {
 }
 
 void add_file(std::string& key, const std::filesystem::path& file) {
-    add(key, file.string());
-    if (file.empty()) return;
     std::error_code unknown;  // a file that is not there has no size
+    add(key, file.empty() ? "" : std::filesystem::absolute(file, unknown).string());
+    if (file.empty()) return;
     const auto size = std::filesystem::file_size(file, unknown);
     const auto time = std::filesystem::last_write_time(file, unknown);
     add(key, fmt::format("{} {}", size, time.time_since_epoch().count()));
@@ -32,7 +32,8 @@ void add_file(std::string& key, const std::filesystem::path& file) {
 
 Source read_source(const lancret_source* given) {
     const auto in = read_sized(given, "lancret_source and its size");
-    require(in.path || in.text, "lancret_source: neither path nor text");
+    require(in.path || in.text || in.strands,
+            "lancret_source: neither path nor text nor strands");
     require(in.parameter_count <= kMostParameters, "lancret_source: parameter_count");
     require(in.parameters || in.parameter_count == 0, "lancret_source: parameters");
     require(in.chunk_strands <= kMostChunkStrands, "lancret_source: chunk_strands");
@@ -48,18 +49,21 @@ Source read_source(const lancret_source* given) {
         if (p.text) to.text = p.text;
         to.number = p.number;
     }
+    if (in.strands) out.settings.strands = copied(in.strands);
+    if (in.scalp) out.settings.scalp = copied(in.scalp);
     out.chunk_strands = in.chunk_strands ? in.chunk_strands : kStrandsAChunk;
     return out;
 }
 
-std::string key_of(const Source& source, const Groom& groom) {
-    std::string key;
+std::optional<std::string> key_of(const Source& source, const SourcedGroom& sourced) {
     const GroomSource& s = source.settings;
+    if (s.strands || s.scalp) return std::nullopt;
+    std::string key;
     add_file(key, s.path);
     add(key, s.text ? *s.text : "");
     std::error_code unknown;
-    add(key,
-        std::filesystem::absolute(s.folder.empty() ? "." : s.folder, unknown).string());
+    const std::filesystem::path folder = s.folder.empty() ? "." : s.folder;
+    add(key, std::filesystem::absolute(folder, unknown).string());
     for (const GroomParameter& p : s.parameters) {
         add(key, p.name);
         add(key, p.text ? *p.text : "");
@@ -67,11 +71,15 @@ std::string key_of(const Source& source, const Groom& groom) {
                              std::bit_cast<std::uint64_t>(p.number)));
     }
     add(key, std::to_string(source.chunk_strands));
-    add(key, groom.name);
-    add_file(key, groom.name);
-    for (const auto& file : {groom.strands_file, groom.guides_file, groom.scalp_file,
-                             groom.regions.texture, groom.regions.ids}) {
+    const Groom& groom = sourced.groom;
+    for (const std::filesystem::path& file :
+         {std::filesystem::path(groom.name), groom.strands_file, groom.guides_file,
+          groom.scalp_file, groom.regions.texture, groom.regions.ids}) {
         add_file(key, file);
+    }
+    const ObjSequence& files = sourced.motion.files;
+    for (int f = files.first; !files.pattern.empty() && f <= files.last; ++f) {
+        add_file(key, frame_path(files.pattern, f));
     }
     return key;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // lancret_source as Lancret reads it.
 
+#include <optional>
 #include <string>
 
 #include "procedural/abi/sized.h"
@@ -19,7 +20,13 @@ struct Source {
 Source read_source(const lancret_source* given);
 
 /// What tells one groom from another: everything that the source says, and the size and
-/// time of each file that `groom` names; empty where no two are alike.
-std::string key_of(const Source& source, const Groom& groom);
+/// time of each file that the groom names; nothing where it holds a host's own arrays,
+/// whose contents no two share.
+std::optional<std::string> key_of(const Source& source, const SourcedGroom& sourced);
+
+/// Copies of a host's arrays, every count and number looked at. Throws BadCall, and
+/// InputError where a number is no place or an index points nowhere.
+std::shared_ptr<const Strands> copied(const lancret_strands* given);
+std::shared_ptr<const TriangleMesh> copied(const lancret_mesh* given);
 
 }  // namespace lancret::abi

@@ -1,10 +1,10 @@
 #include "procedural/kernels/kernel_guides.h"
 
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "guides/cancel.h"
 #include "procedural/control_points.h"
 #include "procedural/kernels/strand_kernels.h"
 
@@ -152,7 +152,7 @@ KernelGuides kernel_guides(const GuideProfiles<float>& profiles,
         out.frenet = zeros(out.size * 8 * out.place_stride);
         out.joints = zeros(out.size * 11 * out.joint_stride);
     }
-    tbb::parallel_for(std::size_t(0), out.size, [&](std::size_t g) {
+    cancellable_for(std::size_t(0), out.size, [&](std::size_t g) {
         if (places) {
             write_points(profiles, g, out);
         } else {

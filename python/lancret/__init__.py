@@ -7,6 +7,7 @@
 `lancret.usd` reads and writes USD, `lancret.notebook` draws.
 """
 
+from . import notebook
 from ._library import version
 from .context import Context
 from .curves import ALL, Attribute, Basis, Curves
@@ -21,7 +22,8 @@ from .errors import (
 )
 from .figures import Check, Guides, Info
 from .geometry import Mesh, Strands
-from .groom import Groom, evaluate, fit, open
+from .groom import Groom
+from .opening import evaluate, fit, open
 
 __version__ = "0.1.0"
 __all__ = [
@@ -45,6 +47,7 @@ __all__ = [
     "Strands",
     "evaluate",
     "fit",
+    "notebook",
     "open",
     "version",
 ]

@@ -5,7 +5,9 @@ from __future__ import annotations
 import ctypes
 import functools
 import os
+from collections.abc import Callable
 from pathlib import Path
+from typing import NoReturn
 
 from . import _abi
 from .errors import LibraryNotFound
@@ -22,8 +24,17 @@ def candidates() -> list[str]:
     package = Path(__file__).resolve().parent
     build = package.parent.parent / "build"
     files = [package / NAME]
-    files += [build / preset / "procedural" / NAME for preset in ("release", "ci", "dev")]
+    files += [build / preset / NAME for preset in ("release", "ci")]
     return [str(file) for file in files if file.is_file()] + [f"{NAME}.1", NAME]
+
+
+def _missing(place: str, name: str) -> Callable[..., NoReturn]:
+    """Stands in for a function that an older library has not, until it is called."""
+
+    def refuse(*_arguments: object) -> NoReturn:
+        raise LibraryNotFound(f"{place}: has no {name}: an older version?")
+
+    return refuse
 
 
 @functools.cache
@@ -45,7 +56,8 @@ def library() -> ctypes.CDLL:
         try:
             function = getattr(found, name)
         except AttributeError:
-            raise LibraryNotFound(f"{place}: has no {name}: another version?") from None
+            setattr(found, name, _missing(place, name))
+            continue
         function.restype, function.argtypes = result, arguments
     version = found.lancret_abi_version()
     if version != _abi.ABI_VERSION:
@@ -57,4 +69,5 @@ def library() -> ctypes.CDLL:
 
 def version() -> str:
     """The library's version, such as "0.1.0"."""
-    return library().lancret_version().decode()
+    said: bytes = library().lancret_version()
+    return said.decode()

@@ -77,9 +77,13 @@ class Source:
             if text is not None:
                 raise InputError("the TOML's text is given twice")
             source, text = None, source
+        if source is None and text is None and strands is not None:
+            text = ""  # nothing but the strands
         values = dict(flat(parameters or {}))
         if strands is not None:
             values = _of_strands(strands, values)
+        if not 0 <= chunk_strands < 2**32:
+            raise InputError(f"chunk_strands: must be 0 or more, not {chunk_strands}")
         self._kept: list[object] = [strands, scalp]
         listed = (_abi.Parameter * len(values))(
             *(_parameter(name, value) for name, value in values.items())

@@ -11,12 +11,13 @@ from types import TracebackType
 from . import _abi
 from ._handle import Handle
 from ._library import library
-from .errors import BY_STATUS, MEANINGS, Error, InternalError
+from .errors import BY_STATUS, MEANINGS, CallError, Error, InternalError
 
 LogCallback = Callable[[str, str], None]
 CancelCallback = Callable[[], bool]
 
-_LOGGING = {"info": logging.INFO, "warning": logging.WARNING, "error": logging.ERROR}
+# An error is raised as well, and so is none to log twice.
+_LOGGING = {"info": logging.INFO, "warning": logging.WARNING, "error": logging.DEBUG}
 
 
 def log_to_logging(level: str, text: str) -> None:
@@ -32,7 +33,7 @@ class _Callbacks:
         self._log, self._cancelled = log, cancelled
         self._lock = threading.Lock()
         self._raised: BaseException | None = None
-        self.last_error = ""
+        self._said = threading.local()  # a call's error is logged by its own thread
         self.c_log = _abi.Log(self.log)
         self.c_cancel = _abi.Cancel(self.cancel)
 
@@ -45,18 +46,23 @@ class _Callbacks:
             raised, self._raised = self._raised, None
         return raised
 
+    def take_error(self) -> str:
+        words = getattr(self._said, "error", "")
+        self._said.error = ""
+        return words
+
     def log(self, _user: int | None, level: int, text: bytes) -> None:
         try:
             words = text.decode(errors="replace")
             name = _abi.LOG_LEVELS.get(level, "error")
             if name == "error":
-                self.last_error = words
+                self._said.error = words
             self._log(name, words)
         except BaseException as fault:  # noqa: BLE001 - must not reach C
             self.keep(fault)
 
     def cancel(self, _user: int | None) -> int:
-        try:  # an interrupt by Ctrl-C arrives here, too
+        try:
             if self._raised is not None:
                 return 1
             return int(self._cancelled is not None and bool(self._cancelled()))
@@ -72,8 +78,8 @@ class Context:
     threads: at most so many at once for one call; 0: as many as the machine has.
     log: called with "info", "warning" or "error" and a text, from any thread; by default
         Python's logging.
-    cancelled: asked every few milliseconds of work, from any thread; true ends the call
-        with `Cancelled`. An exception in it ends the call and is raised from there.
+    cancelled: asked every few milliseconds of work, from a thread of its own; true ends
+        the call with `Cancelled`. An exception in it ends the call and comes out of it.
     """
 
     def __init__(
@@ -84,9 +90,11 @@ class Context:
         cancelled: CancelCallback | None = None,
     ) -> None:
         self._callbacks = _Callbacks(log or log_to_logging, cancelled)
-        host = _abi.Host(
-            log=self._callbacks.c_log, cancelled=self._callbacks.c_cancel, threads=threads
-        )
+        if not 0 <= threads < 2**31:
+            raise CallError(f"threads: must be 0 or more, not {threads}")
+        host = _abi.Host(log=self._callbacks.c_log, threads=threads)
+        if cancelled is not None:  # else nobody need be asked
+            host.cancelled = self._callbacks.c_cancel
         pointer = ctypes.c_void_p()
         self.raise_for(
             library().lancret_create(
@@ -102,12 +110,11 @@ class Context:
 
     def raise_for(self, status: int, text: str = "") -> None:
         """Nothing for LANCRET_OK; else the error that the status stands for."""
-        raised = self._callbacks.take_raised()
+        raised, said = self._callbacks.take_raised(), self._callbacks.take_error()
         if raised is not None:
             raise raised
         if status == _abi.OK:
             return
-        said, self._callbacks.last_error = self._callbacks.last_error, ""
         kind: type[Error] = BY_STATUS.get(status, InternalError)
         raise kind(text or said or MEANINGS.get(status, f"status {status}"))
 

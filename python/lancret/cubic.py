@@ -43,7 +43,9 @@ def pieces_of(count: int, basis: str) -> int:
     return pieces
 
 
-def groups(counts: npt.NDArray[np.integer]) -> Iterator[tuple[int, Array]]:
+def groups(
+    counts: npt.NDArray[np.integer],
+) -> Iterator[tuple[int, npt.NDArray[np.integer]]]:
     """For each number of points: the strands that have it."""
     for count in np.unique(counts):
         yield int(count), np.flatnonzero(counts == count)

@@ -29,6 +29,7 @@ Attribute = Literal[
 ]
 #: Every attribute, for `expand(attributes=lancret.ALL)`.
 ALL: tuple[Attribute, ...] = get_args(Attribute)
+IDS: tuple[Attribute, ...] = ("ids",)
 
 _ALIGNMENT = 16
 
@@ -107,8 +108,6 @@ class Curves:
 
 
 def attribute_bits(attributes: Collection[Attribute]) -> int:
-    if isinstance(attributes, str):
-        attributes = (attributes,)  # type: ignore[assignment]
     bits = 0
     for name in attributes:
         if name not in _abi.ATTRIBUTES:

@@ -68,4 +68,5 @@ class Guides:
     @property
     def lengths(self) -> Doubles:
         """[guides] cm."""
-        return self.segment_lengths.sum(axis=1)
+        total: Doubles = self.segment_lengths.sum(axis=1)
+        return total

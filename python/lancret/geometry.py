@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +13,7 @@ from .errors import InputError
 Floats = npt.NDArray[np.float32]
 Doubles = npt.NDArray[np.float64]
 Counts = npt.NDArray[np.uint32]
+AnyNumbers = npt.NDArray[Any]
 StrandBasis = Literal["linear", "bspline", "catmull-rom"]
 
 
@@ -35,14 +36,15 @@ def _whole(values: npt.ArrayLike, what: str) -> Counts:
 
 @dataclasses.dataclass(eq=False)
 class Strands:
-    """Hairs as points, root first."""
+    """Hairs as points, root first. Numbers of another type are converted; float32 points
+    and uint32 counts are kept as they are, without a copy."""
 
-    points: Floats  #: [sum of counts][3], in units of `metres_per_unit`
-    counts: Counts  #: [strands], points of each, >= 2; of a B-spline >= 4
+    points: AnyNumbers  #: [sum of counts][3], in units of `metres_per_unit`
+    counts: AnyNumbers  #: [strands], points of each, >= 2; of a B-spline >= 4
     basis: StrandBasis = "catmull-rom"
-    widths: Floats | None = None  #: [points] diameters, in the same units
-    root_uv: Floats | None = None  #: [strands][2]
-    ids: npt.NDArray[np.int64] | None = None  #: [strands]
+    widths: AnyNumbers | None = None  #: [points] diameters, in the same units
+    root_uv: AnyNumbers | None = None  #: [strands][2]
+    ids: AnyNumbers | None = None  #: [strands]
     metres_per_unit: float | None = None  #: none: the groom's own
     up: Literal["X", "Y", "Z"] | None = None  #: none: the groom's own
 
@@ -75,7 +77,7 @@ class Strands:
         """[strands + 1] first point of each strand, then the end."""
         return np.concatenate([[0], np.cumsum(self.counts, dtype=np.int64)])
 
-    def strand(self, index: int) -> Floats:
+    def strand(self, index: int) -> AnyNumbers:
         """Points of one strand, a view."""
         first = self.first
         return self.points[first[index] : first[index + 1]]
@@ -97,9 +99,9 @@ class Strands:
 class Mesh:
     """Triangles that hair grows on."""
 
-    positions: Floats  #: [vertices][3], in the scene's units
-    corners: Counts  #: [triangles][3], counter-clockwise from outside
-    uvs: Floats | None = None  #: [triangles][3][2]
+    positions: AnyNumbers  #: [vertices][3], in the scene's units
+    corners: AnyNumbers  #: [triangles][3], counter-clockwise from outside
+    uvs: AnyNumbers | None = None  #: [triangles][3][2]
 
     def __post_init__(self) -> None:
         self.positions = _rows(self.positions, 3, "positions")

@@ -1,14 +1,12 @@
-"""Opens grooms and grows their strands."""
+"""A groom that is open, and its strands."""
 
 from __future__ import annotations
 
 import contextlib
 import ctypes
 import functools
-import json
-import os
-from collections.abc import Collection, Iterable, Sequence
-from ctypes import byref, c_double, c_float, c_void_p
+from collections.abc import Collection, Iterable
+from ctypes import byref, c_float, c_void_p
 from types import TracebackType
 from typing import Any, Literal
 
@@ -17,65 +15,16 @@ import numpy as np
 from . import _abi
 from ._handle import Handle
 from ._library import library
-from ._source import Parameters, Source
-from .context import CancelCallback, Context, LogCallback
-from .curves import (
-    Attribute,
-    Basis,
-    Curves,
-    attribute_bits,
-    buffers_of,
-    empty_curves,
-    part,
-)
-from .errors import CallError
+from ._options import Times, chunk_index, moments_of, options_of
+from ._source import Source
+from .context import Context
+from .curves import IDS, Attribute, Basis, Curves, buffers_of, empty_curves, part
 from .figures import Check, Guides, Info
-from .geometry import Doubles, Floats, Mesh, Strands
+from .errors import CallError
+from .geometry import Doubles, Floats
 
-Path = str | os.PathLike[str]
-Times = float | Sequence[float] | None
-
-_ERROR_BYTES = 4096
-_U32 = 2**32
-
-
-def _index(chunk: int) -> int:
-    if not 0 <= chunk < _U32:
-        raise CallError(f"chunk {chunk}: there is none")
-    return int(chunk)
-
-
-def _times(times: Times) -> tuple[float, ...]:
-    if times is None:
-        return ()
-    if isinstance(times, (int, float)):
-        return (float(times),)
-    return tuple(float(time) for time in times)
-
-
-def _options(
-    times: tuple[float, ...] = (),
-    basis: Basis = "bspline",
-    density: float = 0,
-    max_error: float = 0,
-    attributes: Collection[Attribute] = (),
-    pixels: float = 0,
-    strands_a_pixel: float = 0,
-    unit: float = 0,
-) -> _abi.Options:
-    if basis not in _abi.BASES:
-        raise CallError(f"basis {basis!r}: is none of {', '.join(_abi.BASES)}")
-    return _abi.Options(
-        times=(c_double * len(times))(*times) if times else None,
-        time_count=len(times),
-        basis=_abi.BASES[basis],
-        max_error=max_error,
-        density=density,
-        pixels=pixels,
-        strands_a_pixel=strands_a_pixel,
-        attributes=attribute_bits(attributes),
-        unit=unit,
-    )
+#: Of the text of an error.
+ERROR_BYTES = 4096
 
 
 def _copy(pointer: Any, *shape: int) -> Doubles:
@@ -90,11 +39,11 @@ class Groom:
 
     def __init__(self, context: Context, source: Source) -> None:
         self.context = context
-        pointer, text = c_void_p(), ctypes.create_string_buffer(_ERROR_BYTES)
+        pointer, text = c_void_p(), ctypes.create_string_buffer(ERROR_BYTES)
         host = context.handle.enter()
         try:
             status = library().lancret_open(
-                host, byref(source.struct), byref(pointer), text, _ERROR_BYTES
+                host, byref(source.struct), byref(pointer), text, ERROR_BYTES
             )
             if pointer.value:
 
@@ -144,7 +93,9 @@ class Groom:
         with self._handle.use() as groom:
             self.context.raise_for(library().lancret_get_info(groom, byref(struct)))
         values = {name: getattr(struct, name) for name, *_ in _abi.Info._fields_[1:]}
-        return Info(**values | {"up": tuple(struct.up)})
+        values["up"] = tuple(struct.up)
+        values["cm_per_unit"] = float(str(np.float32(struct.cm_per_unit)))  # 0.1, not ..01
+        return Info(**values)
 
     @property
     def chunks(self) -> range:
@@ -180,10 +131,10 @@ class Groom:
         if kind not in kinds:
             raise CallError(f"kind {kind!r}: is neither 'reach' nor 'tight'")
         box = (c_float * 6)()
-        asked = _options(_times(times), **options)
+        asked = options_of(moments_of(times), **options)
         with self._handle.use() as groom:
             status = library().lancret_bound(
-                groom, _index(chunk), byref(asked), kinds[kind], box
+                groom, chunk_index(chunk), byref(asked), kinds[kind], box
             )
         self.context.raise_for(status)
         return np.array(box, dtype=np.float32).reshape(2, 3)
@@ -195,7 +146,7 @@ class Groom:
         basis: Basis = "bspline",
         density: float = 0,
         max_error: float = 0,
-        attributes: Collection[Attribute] = ("ids",),
+        attributes: Collection[Attribute] = IDS,
         *,
         pixels: float = 0,
         strands_a_pixel: float = 0,
@@ -211,8 +162,8 @@ class Groom:
             how many strands each shall have.
         unit: cm of a unit of what is given back; 0: 1.
         """
-        moments = _times(times)
-        asked = _options(
+        moments = moments_of(times)
+        asked = options_of(
             moments,
             basis,
             density,
@@ -231,7 +182,7 @@ class Groom:
             whole = empty_curves(
                 basis,
                 moments,
-                (attributes,) if isinstance(attributes, str) else attributes,
+                attributes,
                 strands=sum(size.strands for size in sizes),
                 points=sum(size.points for size in sizes),
                 neighbours=max((size.neighbours for size in sizes), default=0),
@@ -256,7 +207,7 @@ class Groom:
     ) -> int:
         pointer = c_void_p()
         status = library().lancret_chunk_open(
-            groom, _index(number), byref(asked), byref(pointer)
+            groom, chunk_index(number), byref(asked), byref(pointer)
         )
         if pointer.value:
             bound.callback(library().lancret_chunk_close, pointer.value)
@@ -272,101 +223,16 @@ class Groom:
         self, chunk: int | None = None, times: Times = None, **options: Any
     ) -> Check:
         """Looks at every strand of a chunk, or of all (None), at the first of `times`."""
-        asked = _options(_times(times), **options)
+        asked = options_of(moments_of(times), **options)
         joined = Check(0, 0, 0, 0.0, 0.0, 0.0, 0.0)
         with self._handle.use() as groom:
             for number in self.chunks if chunk is None else (chunk,):
                 struct = _abi.Check()
                 self.context.raise_for(
                     library().lancret_check_chunk(
-                        groom, _index(number), byref(asked), byref(struct)
+                        groom, chunk_index(number), byref(asked), byref(struct)
                     )
                 )
                 names = [name for name, *_ in _abi.Check._fields_[1:]]
                 joined = joined.joined(Check(*(getattr(struct, n) for n in names)))
         return joined
-
-
-def open(  # noqa: A001 - lancret.open is what it is called
-    source: Path | None = None,
-    *,
-    text: str | None = None,
-    folder: Path | None = None,
-    parameters: Parameters | None = None,
-    strands: Strands | None = None,
-    scalp: Mesh | None = None,
-    chunk_strands: int = 0,
-    threads: int = 0,
-    log: LogCallback | None = None,
-    cancelled: CancelCallback | None = None,
-    context: Context | None = None,
-) -> Groom:
-    """Opens a groom.
-
-    source: a .toml, .hair or .h5 file, or the text of a TOML (told by its line breaks).
-    text, folder: the TOML's text, and where file names in it start from; errors then name
-        `source`.
-    parameters: laid over the TOML, {"strands.count": 5000} or {"strands": {"count": 5000}}.
-    strands, scalp: from memory, in place of the groom's files. What the strands know of
-        units, axes and widths goes before the TOML, `parameters` before that.
-    chunk_strands: at most so many strands a chunk; 0: 4096.
-    threads, log, cancelled: see Context; or a `context` that several grooms share.
-
-    Raises InputError with the file and line.
-    """
-    given = Source(
-        source,
-        text=text,
-        folder=folder,
-        parameters=parameters,
-        strands=strands,
-        scalp=scalp,
-        chunk_strands=chunk_strands,
-    )
-    if context is not None:
-        return Groom(context, given)
-    own = Context(threads=threads, log=log, cancelled=cancelled)
-    try:
-        return Groom(own, given)
-    finally:
-        own.close()  # lives on as long as the groom
-
-
-def fit(
-    source: Path | None = None, *, context: Context | None = None, **how: Any
-) -> Guides:
-    """Super-Helix guides fitted to a groom's strands; `how` as for `open`."""
-    with open(source, context=context, **how) as groom:
-        return groom.guides()
-
-
-def evaluate(
-    source: Path | None = None,
-    *,
-    text: str | None = None,
-    folder: Path | None = None,
-    parameters: Parameters | None = None,
-    strands: Strands | None = None,
-    scalp: Mesh | None = None,
-    context: Context | None = None,
-) -> dict[str, Any]:
-    """Leave-out measurement of a dense groom: each blend's figures, in the form of
-    `lancret evaluate --json`."""
-    given = Source(
-        source,
-        text=text,
-        folder=folder,
-        parameters=parameters,
-        strands=strands,
-        scalp=scalp,
-    )
-    own = context or Context()
-    parts: list[bytes] = []
-    sink = _abi.TextSink(lambda _user, part_of_it: parts.append(part_of_it))
-    error = ctypes.create_string_buffer(_ERROR_BYTES)
-    with own.handle.use() as host:
-        status = library().lancret_evaluate(
-            host, byref(given.struct), sink, None, error, _ERROR_BYTES
-        )
-    own.raise_for(status, error.value.decode(errors="replace"))
-    return json.loads(b"".join(parts))

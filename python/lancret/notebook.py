@@ -59,9 +59,11 @@ def picture(
         pieces = np.concatenate([np.stack([f[:-1], f[1:]], axis=1) for f in flat])
         along = np.concatenate([np.linspace(0, 1, len(f) - 1) for f in flat])
         look = {"colors": colour} if colour else {"array": along, "cmap": "copper"}
-        axis.add_collection(LineCollection(pieces, linewidths=0.6, alpha=0.7, **look))
+        axis.add_collection(LineCollection(list(pieces), linewidths=0.6, alpha=0.7, **look))
         axis.autoscale()
         axis.set_aspect("equal")
+        if name == "top" and up == 1:  # seen from above, Z comes down the page
+            axis.invert_yaxis()
         axis.set_title(name)
         axis.set_xlabel("xyz"[columns[0]])
         axis.set_ylabel("xyz"[columns[1]])
@@ -105,6 +107,6 @@ def histograms(curves: Curves, *, time: int = 0, bins: int = 60, size: float = 4
     axes[0].hist(lengths, bins=bins)
     axes[0].set(xlabel="length", ylabel="strands")
     axes[1].hist(shown, bins=bins)
-    axes[1].set(xlabel="curvature, up to the greatest 0.5 %", ylabel="places")
+    axes[1].set(xlabel="curvature, without the greatest 0.5 %", ylabel="places")
     pyplot.close(figure)
     return figure

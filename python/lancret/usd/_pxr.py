@@ -70,7 +70,8 @@ def matrix_of(prim: Any, time: Any) -> np.ndarray:
 
 
 def to_world(points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
-    return np.asarray(points, np.float64) @ matrix[:3, :3] + matrix[3, :3]
+    world: np.ndarray = np.asarray(points, np.float64) @ matrix[:3, :3] + matrix[3, :3]
+    return world
 
 
 def array_of(attribute: Any, time: Any, shape: tuple[int, ...], dtype: Any) -> np.ndarray:

@@ -26,4 +26,4 @@ def _by_compliance_checker(stage: Usd.Stage) -> list[str]:
 
     checker = UsdUtils.ComplianceChecker(skipVariants=False)
     checker.CheckCompliance(stage.GetRootLayer().realPath)
-    return checker.GetErrors() + checker.GetFailedChecks() + checker.GetWarnings()
+    return [*checker.GetErrors(), *checker.GetFailedChecks(), *checker.GetWarnings()]

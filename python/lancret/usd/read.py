@@ -40,7 +40,7 @@ def read(source: Any, prim: str | None = None, time: float | None = None) -> Str
     ]
     joined = _joined([part for part in parts if len(part)] or parts[:1])
     joined.metres_per_unit = UsdGeom.GetStageMetersPerUnit(stage)
-    joined.up = str(UsdGeom.GetStageUpAxis(stage))
+    joined.up = "Z" if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z else "Y"
     return joined
 
 

@@ -79,15 +79,15 @@ def _uvs(
     for name in names:
         primvar = primvars.GetPrimvar(name)
         value = primvar.ComputeFlattened(time) if primvar else None
-        values = np.array(value if value is not None else [], dtype=object)
-        if values.ndim != 2 or values.shape[1] != 2:
+        if value is None or np.array(value).shape[1:] != (2,):
             continue
-        values = values.astype(np.float32)
+        values: np.ndarray = np.array(value, dtype=np.float32)
         kind = str(primvar.GetInterpolation())
         if kind == "faceVarying" and len(values) == len(indices):
             return values
         if kind in ("vertex", "varying") and len(values) == points:
-            return values[indices]
+            of_corners: np.ndarray = values[indices]
+            return of_corners
     if uv:
         raise InputError(f"{name_of(prim)}: has no primvar {uv} of two numbers a corner")
     return None

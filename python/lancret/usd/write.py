@@ -52,7 +52,8 @@ def write(
         raise InputError(f"{target}: is written as {', '.join(_EXTENSIONS)} only")
     if basis not in _TYPES:
         raise InputError(f"basis {basis!r}: USD's BasisCurves are {', '.join(_TYPES)}")
-    if not Sdf.Path.IsValidPathString(prim)[0] or not Sdf.Path(prim).IsRootPrimPath():
+    valid = prim.startswith("/") and Sdf.Path.IsValidPathString(prim)[0]
+    if not valid or not Sdf.Path(prim).IsRootPrimPath():
         raise InputError(f"prim {prim!r}: must be at the root, such as /Hair")
     metres = metres_per_unit or groom.info.cm_per_unit / 100
     asked: dict[str, Any] = {
@@ -87,6 +88,8 @@ def write(
 
 
 def _new_stage(path: Path) -> Any:
+    if not path.parent.is_dir():  # USD would make it
+        raise InputError(f"{path.parent}: no such folder")
     try:
         return Usd.Stage.CreateNew(str(path))
     except Tf.ErrorException:

@@ -8,8 +8,28 @@
 
 #include "guides/wrapped_curl.h"
 #include "procedural/evaluation.h"
+#include "procedural/groom_guides.h"
 
 namespace lancret {
+
+/// The strands that an evaluation takes apart, and the mesh under them.
+struct EvaluationSubject {
+    Strands strands;
+    std::optional<Scalp> scalp;
+    std::optional<TriangleMesh> body;
+    std::vector<Polyline> partings;
+};
+
+/// A dense groom's strands, wound into curls where it is asked for; what is worth telling
+/// is added to `warnings`. Throws InputError.
+EvaluationSubject load_subject(const Groom& groom,
+                               const std::optional<CurlSettings>& curl,
+                               std::vector<std::string>& warnings);
+
+/// leave_out of a groom's subject; guides are fitted as `segments` helices, or read.
+/// Throws InputError.
+LeaveOut take_apart(const Groom& groom, const EvaluationSubject& subject,
+                    std::optional<int> segments);
 
 /// Everything that a report says.
 struct EvaluationReport {

@@ -1,4 +1,4 @@
-#include "tools/evaluate_report.h"
+#include "procedural/evaluation_report.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,105 @@
+#include "procedural/moving_groom.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "guides/errors.h"
+#include "guides/guides_between.h"
+#include "procedural/emission.h"
+
+namespace lancret {
+
+GroomTimes groom_times(const Groom& groom, ScalpPoseAt pose_at) {
+    GroomTimes out;
+    out.pose_at = std::move(pose_at);
+    const bool named = !groom.guides_file.empty();
+    if (named || groom.strands_file.extension() == ".h5") {
+        out.cache = named ? groom.guides_file : groom.strands_file;
+        out.info = guide_cache_info(out.cache);
+    }
+    return out;
+}
+
+int intervals_in_time(const Generator& generator, const GroomTimes& times,
+                      CurveBasis basis, double tolerance, int most) {
+    // Measured on the children that stand for all of them, at any density.
+    Binding sample = generator.sample;
+    const Blend blend = generator.groom.expand.blend;
+    int out =
+        intervals_within(sample, generator.source.guides, blend, tolerance, basis, most);
+    if (!times.moves() || times.info.frames < 2) return out;
+    const RestPlaces rest = rest_places(sample, generator.source);
+    constexpr int kMeasured = 13;
+    const int n = std::min(kMeasured, times.info.frames);
+    for (int i = 0; i < n; ++i) {
+        const int frame =
+            times.info.first_frame + (times.info.frames - 1) * i / std::max(n - 1, 1);
+        const Guides guides = guides_at(times, rest.guide_places, frame);
+        pose_binding(sample, rest,
+                     times.pose_at ? times.pose_at(frame) : ScalpPose(RigidPose{}));
+        try {
+            out = std::max(
+                out, intervals_within(sample, guides, blend, tolerance, basis, most));
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: frame {}: {}", times.cache.string(), frame,
+                                         error.what()));
+        }
+    }
+    return out;
+}
+
+RestPlaces prepare_frames(Generator& generator, const GroomTimes& times) {
+    const Groom& groom = generator.groom;
+    if (times.moves() && times.info.frames > 1 && !groom.intervals) {
+        const int intervals = intervals_in_time(generator, times, groom.expand.basis,
+                                                groom.tolerance, kMostIntervals);
+        if (intervals > generator.profiles.count) {
+            generator.profiles =
+                guide_profiles<float>(generator.source.guides, intervals);
+        }
+    }
+    return rest_places(generator.binding, generator.source);
+}
+
+Guides guides_at(const GroomTimes& times, std::span<const MeshPoint> guide_places,
+                 double frame) {
+    const auto read = [&](int f) {
+        return read_guide_cache(times.cache, f - times.first());
+    };
+    const int whole = int(std::floor(frame));
+    const double share = frame - whole;
+    if (share == 0) return read(whole);
+    const Guides from = read(whole), to = read(whole + 1);
+    std::optional<Guides> before, after;
+    if (whole > times.first()) before = read(whole - 1);
+    if (whole + 1 < times.last()) after = read(whole + 2);
+    const GuideKeys keys{&from, &to, before ? &*before : nullptr,
+                         after ? &*after : nullptr};
+    if (!times.pose_at) return guides_between(keys, share);
+    const auto carriers_at = [&](double f) {
+        return carriers(times.pose_at(f), guide_places, from.size());
+    };
+    RootCarriers roots{
+        carriers_at(whole), carriers_at(whole + 1), {}, {}, carriers_at(frame)};
+    if (before) roots.before = carriers_at(whole - 1);
+    if (after) roots.after = carriers_at(whole + 2);
+    return guides_between(keys, share, InTime::frames, &roots);
+}
+
+FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
+                       const GroomTimes& times, double frame) {
+    FrameState out;
+    if (times.cache.empty()) {
+        out.guides = generator.source.guides;
+    } else {
+        out.guides = guides_at(times, rest.guide_places, frame);
+        if (times.pose_at) out.pose = times.pose_at(frame);
+    }
+    out.scalp_roots = pose_binding(generator.binding, rest, out.pose);
+    out.profiles = guide_profiles<float>(out.guides, generator.profiles.count);
+    return out;
+}
+
+}  // namespace lancret

@@ -1,0 +1,54 @@
+#pragma once
+// A groom in time: guides of a cache's frames and between them, on a scalp that moves.
+
+#include "guides/guide_cache.h"
+#include "procedural/generator.h"
+#include "procedural/pose.h"
+
+namespace lancret {
+
+/// Where a groom's guides and scalp are in time, as an artist counts frames.
+struct GroomTimes {
+    std::filesystem::path cache;  ///< empty: the groom is no cache and holds still
+    GuideCacheInfo info;          ///< of the cache
+    ScalpPoseAt pose_at;          ///< none: the scalp stays at rest
+
+    bool moves() const { return !cache.empty(); }
+    int first() const { return info.first_frame; }
+    int last() const { return info.first_frame + (info.frames - 1); }
+};
+
+/// Throws InputError where the groom's cache cannot be read.
+GroomTimes groom_times(const Groom& groom, ScalpPoseAt pose_at);
+
+/// Everything of one frame that is not the same in all.
+struct FrameState {
+    Guides guides;
+    GuideProfiles<float> profiles;
+    std::vector<Vec3> scalp_roots;  ///< [guides], cm: where the scalp has their roots
+    ScalpPose pose;                 ///< of the scalp
+};
+
+/// What `generator`'s binding is at rest; to be called before any frame. The points of a
+/// strand are the same in all frames, so where a groom does not say how many intervals it
+/// has, they are measured on frames spread over the whole cache too: hair that moves
+/// bends more than hair at rest. Throws InputError.
+RestPlaces prepare_frames(Generator& generator, const GroomTimes& times);
+
+/// The number of intervals at which curves of `basis` stay within `tolerance` cm of the
+/// strands: at rest, and at frames spread over the cache. At most `most`, then further
+/// off. Throws InputError.
+int intervals_in_time(const Generator& generator, const GroomTimes& times,
+                      CurveBasis basis, double tolerance, int most);
+
+/// Brings `generator`'s binding to a frame. `rest` is what the binding was before the
+/// first frame. Where no motion is known, the scalp stays at rest. Throws InputError.
+FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
+                       const GroomTimes& times, double frame);
+
+/// The guides of a cache at a frame or between two: see guides_between. Where it is known
+/// how the scalp moves, the roots follow it: those at `guide_places`. Throws InputError.
+Guides guides_at(const GroomTimes& times, std::span<const MeshPoint> guide_places,
+                 double frame);
+
+}  // namespace lancret

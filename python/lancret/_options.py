@@ -1,0 +1,55 @@
+"""From what a caller asks for to lancret_options."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from ctypes import c_double
+
+import numpy as np
+
+from . import _abi
+from .curves import Attribute, Basis, attribute_bits
+from .errors import CallError
+
+Times = float | Sequence[float] | None
+
+_U32 = 2**32
+
+
+def chunk_index(chunk: int) -> int:
+    if not 0 <= chunk < _U32:
+        raise CallError(f"chunk {chunk}: there is none")
+    return int(chunk)
+
+
+def moments_of(times: Times) -> tuple[float, ...]:
+    if times is None:
+        return ()
+    if np.ndim(times) == 0:
+        return (float(times),)  # type: ignore[arg-type]
+    return tuple(float(time) for time in times)  # type: ignore[union-attr]
+
+
+def options_of(
+    times: tuple[float, ...] = (),
+    basis: Basis = "bspline",
+    density: float = 0,
+    max_error: float = 0,
+    attributes: Collection[Attribute] = (),
+    pixels: float = 0,
+    strands_a_pixel: float = 0,
+    unit: float = 0,
+) -> _abi.Options:
+    if basis not in _abi.BASES:
+        raise CallError(f"basis {basis!r}: is none of {', '.join(_abi.BASES)}")
+    return _abi.Options(
+        times=(c_double * len(times))(*times) if times else None,
+        time_count=len(times),
+        basis=_abi.BASES[basis],
+        max_error=max_error,
+        density=density,
+        pixels=pixels,
+        strands_a_pixel=strands_a_pixel,
+        attributes=attribute_bits(attributes),
+        unit=unit,
+    )

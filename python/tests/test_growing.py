@@ -1,0 +1,150 @@
+"""Strands of an open groom."""
+
+import unittest
+
+import numpy as np
+
+import lancret
+
+from .support import SMALL
+
+
+def all_arrays(curves):
+    names = ("counts", "positions", "tangents", "normals", "ids", "root_uv", "lengths",
+             "guides", "weights", "arc_lengths", "random")
+    return {
+        name: getattr(curves, name) for name in names if getattr(curves, name) is not None
+    }
+
+
+class Growing(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.groom = lancret.open(SMALL, chunk_strands=64)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.groom.close()
+
+    def test_all_chunks_together_are_each_chunk_in_turn(self):
+        whole = all_arrays(self.groom.expand(attributes=lancret.ALL))
+        self.assertGreater(len(self.groom.chunks), 4)
+        each = [
+            all_arrays(self.groom.expand(chunk, attributes=lancret.ALL))
+            for chunk in self.groom.chunks
+        ]
+        for name, array in whole.items():
+            axis = 1 if name in ("positions", "tangents", "normals") else 0
+            together = np.concatenate([part[name] for part in each], axis=axis)
+            np.testing.assert_array_equal(array, together, name)
+
+    def test_the_same_bits_for_any_chunk_size_and_number_of_threads(self):
+        expected = self.groom.expand(attributes=lancret.ALL)
+        order = np.argsort(expected.ids)
+        for how in ({"chunk_strands": 17}, {"threads": 1}, {"threads": 4}):
+            with lancret.open(SMALL, **how) as groom:
+                got = groom.expand(attributes=lancret.ALL)
+            ours = np.argsort(got.ids)
+            np.testing.assert_array_equal(got.ids[ours], expected.ids[order])
+            np.testing.assert_array_equal(got.lengths[ours], expected.lengths[order])
+            for a, b in zip(ours, order):
+                np.testing.assert_array_equal(got.strand(a), expected.strand(b))
+
+    def test_attributes_are_there_only_where_asked_for(self):
+        self.assertEqual(
+            set(all_arrays(self.groom.expand(0, attributes=()))), {"counts", "positions"}
+        )
+        with_two = all_arrays(self.groom.expand(0, attributes=("lengths", "guides")))
+        self.assertEqual(
+            set(with_two), {"counts", "positions", "lengths", "guides", "weights"}
+        )
+        with self.assertRaisesRegex(lancret.CallError, "'colour': is none of tangents"):
+            self.groom.expand(0, attributes=("colour",))
+
+    def test_attributes_are_what_they_say(self):
+        hair = self.groom.expand(attributes=lancret.ALL)
+        self.assertEqual(sorted(hair.ids), list(range(300)))
+        np.testing.assert_allclose(hair.weights.sum(axis=1), 1, atol=1e-6)
+        self.assertLess(hair.guides.max(), 40)
+        self.assertTrue(((0 <= hair.random) & (hair.random < 1)).all())
+        # The mean of 300 uniform numbers has a deviation of 0.0167: six of them.
+        self.assertAlmostEqual(float(hair.random.mean()), 0.5, delta=0.1)
+        np.testing.assert_allclose(
+            np.linalg.norm(hair.tangents[0, :, :3], axis=1), 1, atol=1e-4
+        )
+        places, first = hair.places(a_piece=16)
+        steps = np.linalg.norm(np.diff(places[:, :3], axis=0), axis=1)
+        length = [steps[a : b - 1].sum() for a, b in zip(first[:-1], first[1:])]
+        # 16 chords a piece that turns by less than a radian: 1/(24 * 16^2) short; the
+        # curve itself may be off by the tolerance.
+        np.testing.assert_allclose(length, hair.lengths, rtol=5e-3)
+
+    def test_every_basis_follows_the_same_strands(self):
+        error = 0.02
+        fine = self.groom.expand(0, basis="hermite", max_error=0.0005)
+        places, first = fine.places(a_piece=16)
+        for basis in ("linear", "bspline", "catmull-rom", "bezier", "hermite"):
+            with self.subTest(basis=basis):
+                hair = self.groom.expand(0, basis=basis, max_error=error)
+                ours, at = hair.places(a_piece=4)
+                self.assertEqual(len(at), len(first))
+                for i in range(0, len(hair), 7):
+                    mine = ours[at[i] : at[i + 1], :3]
+                    true = places[first[i] : first[i + 1], :3]
+                    off = np.linalg.norm(mine[:, None] - true[None], axis=2).min(axis=1)
+                    near = np.linalg.norm(np.diff(true, axis=0), axis=1).max() / 2
+                    self.assertLess(off.max(), error + near + 0.001)
+                    np.testing.assert_allclose(mine[0], true[0], atol=2e-3)
+                    np.testing.assert_allclose(mine[-1], true[-1], atol=error + 2e-3)
+
+    def test_bounds_hold_the_strands(self):
+        for chunk in self.groom.chunks:
+            hair = self.groom.expand(chunk, basis="linear")
+            reach = self.groom.bound(chunk, basis="linear")
+            tight = self.groom.bound(chunk, kind="tight", basis="linear")
+            low = (hair.points - hair.radii[:, None]).min(axis=0)
+            high = (hair.points + hair.radii[:, None]).max(axis=0)
+            for box in (reach, tight):
+                self.assertTrue((box[0] <= low + 1e-5).all() and (high <= box[1] + 1e-5).all())
+            self.assertTrue((reach[0] <= tight[0] + 1e-4).all())
+            self.assertTrue((tight[1] <= reach[1] + 1e-4).all())
+
+    def test_fewer_strands_are_some_of_all_and_wider(self):
+        whole, share = self.groom.expand(), self.groom.expand(density=0.25)
+        self.assertAlmostEqual(len(share) / 300, 0.25, delta=0.05)
+        self.assertTrue(set(share.ids) <= set(whole.ids))
+        area = [hair.radii.sum() for hair in (whole, share)]
+        self.assertAlmostEqual(area[1] / area[0], 1, delta=0.15)
+
+    def test_units_scale_places_widths_and_lengths(self):
+        cm, m = (
+            self.groom.expand(0, attributes=("lengths",), unit=unit) for unit in (0, 100)
+        )
+        np.testing.assert_allclose(m.positions * 100, cm.positions, rtol=1e-6, atol=1e-7)
+        np.testing.assert_allclose(m.lengths * 100, cm.lengths, rtol=1e-6)
+
+    def test_arrays_are_the_memory_that_the_library_wrote_to(self):
+        hair = self.groom.expand(attributes=lancret.ALL)
+        for array in (hair.positions, hair.tangents):
+            self.assertEqual(array.ctypes.data % 16, 0)
+            self.assertTrue(array.flags.c_contiguous)
+        self.assertTrue(np.shares_memory(hair.points, hair.positions))
+        self.assertTrue(np.shares_memory(hair.strand(3), hair.positions))
+
+    def test_the_proof_passes_and_adds_up(self):
+        check = self.groom.check()
+        self.assertEqual((check.strands, check.failed, check.outside), (300, 0, 0))
+        self.assertTrue(check.passed)
+        self.assertLess(check.length_error, 1e-3)
+        self.assertEqual(self.groom.check(0).strands, len(self.groom.expand(0)))
+
+    def test_calls_that_cannot_be_are_refused(self):
+        for call in (
+            lambda: self.groom.expand(len(self.groom.chunks)),
+            lambda: self.groom.expand(-1),
+            lambda: self.groom.expand(0, density=float("nan")),
+            lambda: self.groom.expand(0, times=[0.0] * 65),
+            lambda: self.groom.bound(10_000),
+        ):
+            with self.assertRaises(lancret.CallError):
+                call()

@@ -1,0 +1,76 @@
+"""Threads, logs, and ways to stop."""
+
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import lancret
+
+from .shapes import lawn, square
+from .support import SMALL
+
+
+class Hosts(unittest.TestCase):
+    def test_cancelling_ends_a_call(self):
+        stop = threading.Event()
+        with lancret.open(
+            SMALL, parameters={"strands.count": 400_000}, cancelled=stop.is_set
+        ) as groom:
+            stop.set()
+            with self.assertRaises(lancret.Cancelled):
+                groom.expand()
+            stop.clear()
+            self.assertGreater(len(groom.expand(0)), 0)
+        with self.assertRaises(lancret.Cancelled):
+            lancret.open(SMALL, cancelled=lambda: True)
+
+    def test_an_exception_of_a_callback_comes_out_of_the_call(self):
+        def broken():
+            raise ZeroDivisionError("mine")
+
+        with self.assertRaisesRegex(ZeroDivisionError, "mine"):
+            lancret.open(SMALL, cancelled=broken)
+
+    def test_many_threads_grow_the_same_hair(self):
+        with lancret.open(SMALL, chunk_strands=32) as groom:
+            expected = groom.expand().positions
+            got = [None] * 8
+
+            def work(i):
+                for _ in range(3):
+                    got[i] = groom.expand().positions
+
+            threads = [threading.Thread(target=work, args=(i,)) for i in range(8)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            for positions in got:
+                np.testing.assert_array_equal(positions, expected)
+
+    def test_closing_waits_for_who_still_grows(self):
+        groom = lancret.open(SMALL, parameters={"strands.count": 100_000})
+        groom.info
+        done = []
+        thread = threading.Thread(target=lambda: done.append(len(groom.expand())))
+        thread.start()
+        time.sleep(0.01)
+        groom.close()
+        thread.join()
+        self.assertIn(done, ([], [100_000]))  # refused, or whole
+
+    def test_warnings_go_to_the_log(self):
+        said = []
+        strands = lawn()
+        far = lancret.Strands(strands.points + [0, 0, 0.3], strands.counts)
+        with lancret.open(
+            strands=far, scalp=square(), log=lambda *line: said.append(line)
+        ):
+            pass
+        self.assertTrue(all(level in ("info", "warning", "error") for level, _ in said))
+
+    def test_evaluate_gives_each_blends_figures(self):
+        report = lancret.evaluate(strands=lawn(10), scalp=square())
+        self.assertIn("detail", str(report))

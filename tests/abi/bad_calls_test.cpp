@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/abi/plugin.h"
+
+namespace lancret {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+lancret_status ignore(void*, const lancret_curves*) { return LANCRET_OK; }
+
+TEST(PluginCalls, NullsAreRefused) {
+    const auto context = a_context();
+    const auto groom = opened(context.get(), kSmallGroom);
+    lancret_groom* out = nullptr;
+    const auto source = text_source(kSmallGroom);
+    float box[6];
+    EXPECT_EQ(lancret_create(LANCRET_ABI_VERSION, nullptr, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_open(nullptr, &source, &out, nullptr, 0), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_open(context.get(), nullptr, &out, nullptr, 0), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_open(context.get(), &source, nullptr, nullptr, 0),
+              LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_get_info(groom.get(), nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_get_info(nullptr, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_get_guides(groom.get(), nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_expand(groom.get(), 0, nullptr, nullptr, nullptr),
+              LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_expand(nullptr, 0, nullptr, ignore, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_bound(groom.get(), 0, nullptr, LANCRET_REACH, nullptr),
+              LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_bound(groom.get(), 0, nullptr, 7, box), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_chunk_open(groom.get(), 0, nullptr, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_chunk_sizes(nullptr, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_chunk_write(nullptr, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_check_chunk(groom.get(), 0, nullptr, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_evaluate(context.get(), &source, nullptr, nullptr, nullptr, 0),
+              LANCRET_BAD_CALL);
+    lancret_close(nullptr);
+    lancret_chunk_close(nullptr);
+    lancret_destroy(nullptr);
+    // And the defaults of no options at all.
+    EXPECT_EQ(lancret_expand(groom.get(), 0, nullptr, ignore, nullptr), LANCRET_OK);
+}
+
+TEST(PluginCalls, OptionsOutOfRangeAreRefused) {
+    const auto context = a_context();
+    const auto groom = opened(context.get(), kSmallGroom);
+    const auto status = [&](auto change) {
+        auto options = some_options(LANCRET_BSPLINE);
+        change(options);
+        return lancret_expand(groom.get(), 0, &options, ignore, nullptr);
+    };
+    const double never = kNaN;
+    EXPECT_EQ(status([](auto&) {}), LANCRET_OK);
+    EXPECT_EQ(status([](auto& o) { o.basis = 5; }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.basis = -1; }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.density = kNaN; }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.density = 1.5; }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.density = -1; }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.max_error = float(kNaN); }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.max_error = 1e-30f; }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.unit = -1; }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.unit = float(kNaN); }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.pixels = kNaN; }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.attributes = 1u << 30; }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([](auto& o) { o.time_count = 1; }), LANCRET_BAD_CALL);
+    EXPECT_EQ(status([&](auto& o) { o.times = &never, o.time_count = 1; }),
+              LANCRET_BAD_CALL);
+    EXPECT_EQ(status([&](auto& o) { o.times = &never, o.time_count = 65; }),
+              LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_expand(groom.get(), 1, nullptr, ignore, nullptr), LANCRET_BAD_CALL);
+}
+
+TEST(PluginCalls, SizesTellOldCallersFromNew) {
+    const auto context = a_context();
+    const auto groom = opened(context.get(), kSmallGroom);
+    // One who knows nothing after the basis: what follows is not read.
+    lancret_options options = some_options(LANCRET_BSPLINE);
+    options.size = offsetof(lancret_options, max_error);
+    options.density = kNaN;
+    EXPECT_EQ(lancret_expand(groom.get(), 0, &options, ignore, nullptr), LANCRET_OK);
+    options.size = 0;
+    EXPECT_EQ(lancret_expand(groom.get(), 0, &options, ignore, nullptr),
+              LANCRET_BAD_CALL);
+    options.size = std::size_t(-1);
+    EXPECT_EQ(lancret_expand(groom.get(), 0, &options, ignore, nullptr),
+              LANCRET_BAD_CALL);
+    // One from later: what the library does not know must be nothing.
+    struct Later {
+        lancret_options known;
+        double more[2];
+    } later{some_options(LANCRET_BSPLINE), {0, 0}};
+    later.known.size = sizeof later;
+    EXPECT_EQ(lancret_expand(groom.get(), 0, &later.known, ignore, nullptr), LANCRET_OK);
+    later.more[1] = 1;
+    EXPECT_EQ(lancret_expand(groom.get(), 0, &later.known, ignore, nullptr),
+              LANCRET_BAD_CALL);
+    // Nothing is written past what the caller knows.
+    lancret_info info{};
+    info.size = offsetof(lancret_info, guides);
+    info.guides = 12345;
+    EXPECT_EQ(lancret_get_info(groom.get(), &info), LANCRET_OK);
+    EXPECT_EQ(info.strands, 3000u);
+    EXPECT_EQ(info.guides, 12345u);
+    EXPECT_EQ(info.size, offsetof(lancret_info, guides));
+}
+
+TEST(PluginCalls, ErrorsNameFileAndLine) {
+    const auto context = a_context();
+    const std::string text = "[strands]\ncount = 100\nwidht = 3\n";
+    lancret_source source = text_source(text);
+    source.path = "some/head.toml";
+    auto out = open(context.get(), source);
+    EXPECT_EQ(out.status, LANCRET_BAD_INPUT);
+    EXPECT_EQ(out.error.find("some/head.toml:3: unknown key 'widht'"), 0u) << out.error;
+    char small[10];
+    lancret_groom* groom = nullptr;
+    EXPECT_EQ(lancret_open(context.get(), &source, &groom, small, sizeof small),
+              LANCRET_BAD_INPUT);
+    EXPECT_STREQ(small, "some/head");
+    EXPECT_EQ(groom, nullptr);
+}
+
+TEST(PluginCalls, ParametersAreCheckedAsTheFileIs) {
+    const auto context = a_context();
+    const auto with = [&](lancret_parameter parameter) {
+        lancret_source source = text_source(kSmallGroom);
+        source.parameters = &parameter;
+        source.parameter_count = 1;
+        return open(context.get(), source);
+    };
+    EXPECT_EQ(info_of(with({"strands.count", nullptr, 50}).groom.get()).strands, 50u);
+    EXPECT_EQ(info_of(with({"guides.made.strands", nullptr, 30}).groom.get()).guides,
+              30u);
+    EXPECT_EQ(with({"strands.facing", nullptr, 0}).status, LANCRET_OK);
+    EXPECT_EQ(with({"strands.blend", "position", 0}).status, LANCRET_OK);
+    EXPECT_EQ(with({"width.root", nullptr, 0.02}).status, LANCRET_OK);
+    const auto fault = [&](lancret_parameter parameter) {
+        const auto out = with(parameter);
+        EXPECT_EQ(out.status, LANCRET_BAD_INPUT) << parameter.name;
+        return out.error;
+    };
+    EXPECT_EQ(
+        fault({"strands.count", nullptr, 0}),
+        "text: parameter count: 'count' is 0, but must lie between 1 and 100000000");
+    EXPECT_NE(fault({"strands.number", nullptr, 5}).find("unknown key 'number'"),
+              std::string::npos);
+    EXPECT_NE(fault({"strands.count", nullptr, 1.5}).find("whole number"),
+              std::string::npos);
+    EXPECT_NE(fault({"strands.blend", "detial", 0}).find("did you mean 'detail'"),
+              std::string::npos);
+    EXPECT_NE(fault({"strands.facing", nullptr, 2}).find("true or false"),
+              std::string::npos);
+    fault({"width.root", nullptr, kNaN});
+    fault({"width.root", nullptr, INFINITY});
+    fault({"", nullptr, 1});
+    fault({".", nullptr, 1});
+    fault({"strands.", nullptr, 1});
+    fault({"strands.count.x", nullptr, 1});
+    fault({"strands", "x", 1});
+    EXPECT_EQ(with({nullptr, nullptr, 1}).status, LANCRET_BAD_CALL);
+}
+
+}  // namespace
+}  // namespace lancret

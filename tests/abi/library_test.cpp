@@ -1,0 +1,115 @@
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/abi/plugin.h"
+
+namespace lancret {
+namespace {
+
+std::string output_of(const std::string& command) {
+    std::string out;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return out;
+    char buffer[4096];
+    while (std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe))
+        out.append(buffer, n);
+    pclose(pipe);
+    return out;
+}
+
+std::set<std::string> names_in(const std::string& text, const std::regex& pattern) {
+    std::set<std::string> out;
+    for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end;
+         ++at) {
+        out.insert((*at)[1]);
+    }
+    return out;
+}
+
+TEST(PluginLibrary, ExportsItsHeaderAndNothingElse) {
+    std::ifstream file(LANCRET_SOURCE_DIR "/procedural/lancret_procedural.h");
+    std::stringstream header;
+    header << file.rdbuf();
+    const auto declared = names_in(
+        header.str(), std::regex(R"(LANCRET_API [a-z_ \*]*?[ \*](lancret_\w+)\()"));
+    const auto exported = names_in(output_of("nm -D --defined-only " LANCRET_PLUGIN),
+                                   std::regex(R"( \w (\S+))"));
+    EXPECT_EQ(declared.size(), 16u);
+    EXPECT_EQ(exported, declared);
+}
+
+bool is_mapped(const std::string& name) {
+    std::ifstream maps("/proc/self/maps");
+    std::stringstream text;
+    text << maps.rdbuf();
+    return text.str().find(name) != std::string::npos;
+}
+
+/// Memory of this process that is in use, KiB.
+long resident() {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.find("VmRSS:") == 0) return std::stol(line.substr(6));
+    }
+    return 0;
+}
+
+/// A copy of the library under a name that the test program is not linked to.
+class Copy {
+  public:
+    Copy() : path_(std::string(LANCRET_PLUGIN) + ".reload_test.so") {
+        std::ifstream from(LANCRET_PLUGIN, std::ios::binary);
+        std::ofstream to(path_, std::ios::binary);
+        to << from.rdbuf();
+    }
+    ~Copy() { std::remove(path_.c_str()); }
+    const std::string& path() const { return path_; }
+
+  private:
+    std::string path_;
+};
+
+/// Opens, expands and closes a groom through a library that is loaded for it alone.
+void use_once(const std::string& path) {
+    void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    ASSERT_TRUE(library) << dlerror();
+    const auto get = [&]<class F>(F*, const char* name) {
+        return reinterpret_cast<F*>(dlsym(library, name));
+    };
+    lancret_context* context = nullptr;
+    lancret_groom* groom = nullptr;
+    const auto source = text_source(kSmallGroom);
+    ASSERT_EQ(get(&lancret_create, "lancret_create")(1, nullptr, &context), LANCRET_OK);
+    ASSERT_EQ(get(&lancret_open, "lancret_open")(context, &source, &groom, nullptr, 0),
+              LANCRET_OK);
+    const auto options = some_options(LANCRET_BSPLINE);
+    ASSERT_EQ(
+        get(&lancret_expand, "lancret_expand")(
+            groom, 0, &options,
+            [](void*, const lancret_curves*) -> lancret_status { return LANCRET_OK; },
+            nullptr),
+        LANCRET_OK);
+    get(&lancret_close, "lancret_close")(groom);
+    get(&lancret_destroy, "lancret_destroy")(context);
+    ASSERT_EQ(dlclose(library), 0);
+}
+
+TEST(PluginLibrary, UnloadsAndLoadsAgain) {
+    const Copy copy;
+    for (int i = 0; i < 5; ++i) use_once(copy.path());
+    EXPECT_FALSE(is_mapped(copy.path()));
+    const long before = resident();
+    for (int i = 0; i < 15; ++i) use_once(copy.path());
+    EXPECT_FALSE(is_mapped(copy.path()));
+    // A library or a groom that stayed would be 15 times some MiB.
+    EXPECT_LT(resident() - before, 15 * 1024);
+}
+
+}  // namespace
+}  // namespace lancret

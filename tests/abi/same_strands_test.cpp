@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "procedural/emission.h"
+#include "procedural/faces.h"
+#include "procedural/generator.h"
+#include "procedural/groom_source.h"
+#include "tests/abi/plugin.h"
+
+namespace lancret {
+namespace {
+
+constexpr lancret_u32 kAll = LANCRET_TANGENTS | LANCRET_NORMALS | LANCRET_ROOT_UV |
+                             LANCRET_LENGTHS | LANCRET_GUIDES | LANCRET_ARC_LENGTHS |
+                             LANCRET_RANDOM;
+
+Generator direct(const std::string& text) {
+    GroomSource source;
+    source.text = text;
+    return make_generator(read_groom_source(source).groom);
+}
+
+void expect_same_positions(const AllStrands& strands, const Curves& curves) {
+    ASSERT_EQ(strands.size(), curves.strands);
+    for (std::uint32_t i = 0; i < curves.strands; ++i) {
+        const auto at = strands.find(curves.id_of(i));
+        ASSERT_NE(at, strands.end());
+        const std::size_t m = curves.points_per_strand;
+        const auto same = [&](const std::vector<float>& own,
+                              const Buffer<Point4f>& theirs) {
+            return own.size() == 4 * m && std::memcmp(own.data(), theirs.data() + i * m,
+                                                      m * sizeof(Point4f)) == 0;
+        };
+        ASSERT_TRUE(same(at->second.positions, curves.points)) << "strand " << i;
+        if (curves.basis == CurveBasis::hermite) {
+            ASSERT_TRUE(same(at->second.tangents, curves.tangents)) << "strand " << i;
+        }
+    }
+}
+
+TEST(Plugin, StrandsAreThoseOfTheLibraryBitForBit) {
+    const auto context = a_context();
+    for (const char* blend : {"detail", "position", "option1", "bishop"}) {
+        const std::string text = kSmallGroom + "blend = \"" + blend + "\"\n";
+        Generator generator = direct(text);
+        const auto groom = opened(context.get(), text, 700);
+        for (const int basis : {LANCRET_BSPLINE, LANCRET_HERMITE}) {
+            generator.groom.expand.basis =
+                basis == LANCRET_HERMITE ? CurveBasis::hermite : CurveBasis::bspline;
+            generator.profiles = guide_profiles<float>(
+                generator.source.guides,
+                intervals_within(generator.sample, generator.source.guides,
+                                 generator.groom.expand.blend, generator.groom.tolerance,
+                                 generator.groom.expand.basis));
+            expect_same_positions(
+                expanded(groom.get(), some_options(basis)),
+                expand(generator.binding, generator.profiles, generator.groom.expand));
+        }
+    }
+}
+
+TEST(Plugin, StrandsAreThoseOfTheLibraryAtADensity) {
+    const auto context = a_context();
+    const Generator generator = direct(kSmallGroom + "density = 0.3\n");
+    const auto groom = opened(context.get(), kSmallGroom, 512);
+    auto options = some_options(LANCRET_BSPLINE);
+    options.density = 0.3;
+    expect_same_positions(
+        expanded(groom.get(), options),
+        expand(generator.binding, generator.profiles, generator.groom.expand));
+}
+
+TEST(Plugin, StrandsAreTheSameForAnyChunksOrderAndThreads) {
+    for (const int basis : {LANCRET_LINEAR, LANCRET_BSPLINE, LANCRET_CATMULL_ROM,
+                            LANCRET_BEZIER, LANCRET_HERMITE}) {
+        AllStrands first;
+        for (const auto& [chunk, threads] : std::vector<std::pair<lancret_u32, int>>{
+                 {0, 0}, {1, 1}, {333, 1}, {1000, 2}}) {
+            if (chunk == 1 && basis != LANCRET_BEZIER) continue;  // 3000 calls: once
+            const lancret_host host = a_host(threads);
+            const auto context = a_context(&host);
+            const auto groom = opened(context.get(), kSmallGroom, chunk);
+            const auto strands =
+                expanded(groom.get(), some_options(basis, kAll), chunk == 333);
+            EXPECT_EQ(strands.size(), 3000u);
+            if (first.empty()) first = strands;
+            EXPECT_TRUE(strands == first) << basis << ' ' << chunk;
+        }
+    }
+}
+
+TEST(Plugin, OtherBasesAreTheSameCurves) {
+    // Bezier: Hermite's places and a third of their tangents, to round-off of float at
+    // 30 cm: a few 1e-6.
+    const auto context = a_context();
+    const auto groom = opened(context.get(), kSmallGroom);
+    const auto hermite = expanded(groom.get(), some_options(LANCRET_HERMITE));
+    const auto bezier = expanded(groom.get(), some_options(LANCRET_BEZIER));
+    for (const auto& [id, strand] : hermite) {
+        const std::vector<float>&p = strand.positions, &t = strand.tangents,
+              &b = bezier.at(id).positions;
+        const std::size_t n = p.size() / 4 - 1;
+        ASSERT_EQ(b.size(), 4 * (3 * n + 1));
+        for (std::size_t i = 0; i < n; ++i) {
+            for (int c = 0; c < 3; ++c) {
+                ASSERT_EQ(b[12 * i + c], p[4 * i + c]);
+                ASSERT_NEAR(b[12 * i + 4 + c], p[4 * i + c] + t[4 * i + c] / 3, 1e-5);
+                ASSERT_NEAR(b[12 * i + 8 + c], p[4 * i + 4 + c] - t[4 * i + 4 + c] / 3,
+                            1e-5);
+            }
+        }
+    }
+}
+
+TEST(Plugin, MaxErrorHoldsInEveryBasis) {
+    const auto context = a_context();
+    const auto groom = opened(context.get(), kSmallGroom);
+    for (const float error : {0.1f, 0.01f}) {
+        for (const int basis : {LANCRET_LINEAR, LANCRET_BSPLINE, LANCRET_CATMULL_ROM,
+                                LANCRET_BEZIER, LANCRET_HERMITE}) {
+            auto options = some_options(basis);
+            options.max_error = error;
+            lancret_check check{};
+            check.size = sizeof check;
+            ASSERT_EQ(lancret_check_chunk(groom.get(), 0, &options, &check), LANCRET_OK);
+            EXPECT_EQ(check.strands, 3000u);
+            EXPECT_LE(check.distance, error) << basis;
+            // Cut no finer than it takes: a hundredth of it would be.
+            EXPECT_GT(check.distance, error / 100) << basis;
+            EXPECT_EQ(check.outside, 0u) << basis;
+            EXPECT_LE(check.orthogonality, 1e-6);
+            EXPECT_LE(check.length_error, 1e-5);
+        }
+    }
+}
+
+TEST(Plugin, UnitScalesLengthsAndNothingElse) {
+    const auto context = a_context();
+    const auto groom = opened(context.get(), kSmallGroom);
+    auto options = some_options(LANCRET_BSPLINE, kAll);
+    const auto in_cm = expanded(groom.get(), options);
+    options.unit = 0.5f;  // half a cm: twice the numbers, exactly
+    const auto in_halves = expanded(groom.get(), options);
+    for (const auto& [id, a] : in_cm) {
+        const StrandArrays& b = in_halves.at(id);
+        ASSERT_EQ(a.positions.size(), b.positions.size());
+        for (std::size_t i = 0; i < a.positions.size(); ++i) {
+            ASSERT_EQ(2 * a.positions[i], b.positions[i]);
+        }
+        ASSERT_EQ(2 * a.length, b.length);
+        ASSERT_EQ(a.tangents, b.tangents);
+        ASSERT_EQ(a.normals, b.normals);
+        ASSERT_EQ(a.weights, b.weights);
+        ASSERT_NEAR(2 * a.arc_lengths.back(), b.arc_lengths.back(), 1e-4);
+    }
+}
+
+TEST(Plugin, AttributesAreWhatTheySay) {
+    const auto context = a_context();
+    const auto groom = opened(context.get(), kSmallGroom);
+    const Generator generator = direct(kSmallGroom);
+    double random = 0;
+    for (const int basis : {LANCRET_LINEAR, LANCRET_CATMULL_ROM, LANCRET_BEZIER}) {
+        random = 0;
+        for (const auto& [id, s] : expanded(groom.get(), some_options(basis, kAll))) {
+            const Binding& binding = generator.binding;
+            const std::size_t k = binding.neighbours;
+            ASSERT_EQ(s.length, binding.lengths[id]);
+            ASSERT_EQ(s.u, binding.roots.uvs[id].x());
+            ASSERT_EQ(s.v, binding.roots.uvs[id].y());
+            for (std::size_t g = 0; g < k; ++g) {
+                ASSERT_EQ(s.guides[g], binding.guides[id * k + g]);
+                ASSERT_EQ(s.weights[g], binding.weights[id * k + g]);
+            }
+            const std::size_t m = s.positions.size() / 4;
+            for (std::size_t j = 0; j < m; ++j) {
+                const Vec3f t(s.tangents[4 * j], s.tangents[4 * j + 1],
+                              s.tangents[4 * j + 2]),
+                    n(s.normals[4 * j], s.normals[4 * j + 1], s.normals[4 * j + 2]);
+                ASSERT_NEAR(t.norm(), 1, 1e-5);
+                // A face's normal is across the strand where both are its own; between
+                // places both go straight, and beyond the ends the normal does.
+                const bool own =
+                    basis == LANCRET_LINEAR ||
+                    (basis == LANCRET_BEZIER ? j % 3 == 0 : j > 0 && j < m - 1);
+                ASSERT_NEAR(own ? t.dot(n) : 0, 0, 1e-4) << basis << ' ' << j;
+            }
+            const std::size_t tip = basis == LANCRET_CATMULL_ROM ? m - 2 : m - 1;
+            ASSERT_NEAR(s.arc_lengths[tip], s.length, 1e-4 * s.length);
+            ASSERT_TRUE(s.random >= 0 && s.random < 1);
+            random += s.random;
+        }
+    }
+    // 3000 uniform draws: a mean of 1/2 to 5 standard deviations, 5 sqrt(1/12/3000).
+    EXPECT_NEAR(random / 3000, 0.5, 0.027);
+}
+
+}  // namespace
+}  // namespace lancret
