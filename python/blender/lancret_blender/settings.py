@@ -30,9 +30,10 @@ _BLENDS = (
 )
 
 
-def _changed(settings: LancretSettings, _context: Any) -> None:
-    if settings.live:
-        later.update(settings.id_data)
+def _changed(settings: bpy.types.PropertyGroup, _context: Any) -> None:
+    thing = settings.id_data
+    if thing.lancret.live:
+        later.update(thing)
 
 
 def _is_guides(_settings: Any, candidate: bpy.types.Object) -> bool:
