@@ -40,10 +40,10 @@ position = {list(EYE)}
 target = {list(TARGET)}
 field_of_view_degrees = {FIELD}
 [light]
-sky = {SKY}
+sky = {[SKY] * 3}
 [[light.distant]]
 direction = {list(SUN)}
-irradiance = {IRRADIANCE}
+irradiance = {[IRRADIANCE] * 3}
 radius_degrees = {RADIUS}
 [render]
 width = {SIZE}

@@ -5,15 +5,18 @@ from __future__ import annotations
 import collections
 import hashlib
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .package import lancret
-from .sources import Source
+
+if TYPE_CHECKING:
+    from .sources import Source
 
 _MOST = 8  # kept open
 _grooms: collections.OrderedDict[str, Any] = collections.OrderedDict()
+_units: dict[tuple[Any, ...], tuple[float, tuple[float, ...]]] = {}
 _context: Any = None
 
 
@@ -45,7 +48,17 @@ def groom(source: Source) -> Any:
     return found
 
 
+def units(path: str) -> tuple[float, tuple[float, ...]]:
+    """cm of a file's unit and which way is up in it. Raises lancret.Error."""
+    key = (path, *_stamp(path))
+    if key not in _units:
+        with lancret().open(path, parameters={"strands.count": 1}) as groom:
+            _units[key] = (groom.info.cm_per_unit, groom.info.up)
+    return _units[key]
+
+
 def forget() -> None:
+    _units.clear()
     while _grooms:
         _grooms.popitem()[1].close()
 
@@ -65,10 +78,7 @@ def _key(source: Source) -> str:
         arrays += [source.strands.points, source.strands.counts]
     if source.scalp is not None:
         arrays += [source.scalp.positions, source.scalp.corners, source.scalp.uvs]
-    stamp = ()
-    if source.path is not None:
-        path = Path(source.path)
-        stamp = (path.stat().st_mtime_ns, path.stat().st_size) if path.is_file() else ()
+    stamp = _stamp(source.path)
     told.update(
         repr((source.path, stamp, source.parameters, source.chunk_strands)).encode()
     )
@@ -77,3 +87,11 @@ def _key(source: Source) -> str:
         if array is not None:
             told.update(np.ascontiguousarray(array).data)
     return told.hexdigest()
+
+
+def _stamp(path: str | None) -> tuple[int, ...]:
+    """What changes when a file is written anew."""
+    if path is None or not Path(path).is_file():
+        return ()
+    found = Path(path).stat()
+    return (found.st_mtime_ns, found.st_size)

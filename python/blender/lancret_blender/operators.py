@@ -50,7 +50,7 @@ class OBJECT_OT_lancret_add(bpy.types.Operator):
             return {"CANCELLED"}
         active = context.active_object
         on_mesh = active is not None and active.type == "MESH" and active.select_get()
-        scalp = active if on_mesh else None
+        scalp = active if guides and on_mesh else None  # files have their own
         thing = strand_object.make(context, scalp or (guides[0] if guides else None))
         told = thing.lancret
         told.live = False

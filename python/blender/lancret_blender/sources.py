@@ -8,7 +8,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from . import scene_guides
+from . import opened, scene_guides
 from .package import lancret
 from .strands import from_blender, up_axis
 
@@ -39,9 +39,9 @@ def source_of(thing: bpy.types.Object, scene: bpy.types.Scene) -> Source:
             raise Fault("there is no file: choose a .toml, .hair or .h5")
         made.path = bpy.path.abspath(told.file, library=thing.library)
         if told.scalp is not None:
-            with lancret().open(made.path, parameters={"strands.count": 1}) as groom:
-                unit, up = groom.info.cm_per_unit, up_axis(groom.info.up)
-            made.scalp = _scalp(thing, told.scalp, up, cm_per_unit(scene) / unit)
+            unit, up = opened.units(made.path)
+            scale = cm_per_unit(scene) / unit
+            made.scalp = _scalp(thing, told.scalp, up_axis(up), scale)
     else:
         made.strands = _guides(thing, scene)
         if told.scalp is not None:

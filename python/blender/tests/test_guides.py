@@ -126,7 +126,8 @@ class Guides(InBlender):
         self.assertLess(np.abs(roots[:, :2]).max(), 0.121)
         # Guides are 0.1 high and lean 0.03; fitted helices are within a tenth of that.
         self.assertLess(np.abs(tips - roots - [0.03, 0, 0.1]).max(), 0.01)
-        self.assertLess(np.abs(np.array(thing.matrix_world.translation) - (1, 2, 3)).max(), 1e-6)
+        place = np.array(thing.matrix_world.translation)
+        self.assertLess(np.abs(place - (1, 2, 3)).max(), 1e-6)
 
     def test_are_handed_on_where_they_stand(self):
         guides = legacy_curve("fur", "POLY", fur())
@@ -143,6 +144,13 @@ class Guides(InBlender):
 
 
 class Scalp(InBlender):
+    def test_of_a_file_is_not_what_happens_to_be_selected(self):
+        select(plane())
+        thing = self.add()
+        self.assertIsNone(thing.lancret.scalp)
+        self.assertIsNone(thing.parent)
+        self.assertEqual(thing.lancret.error, "")
+
     def test_of_a_file_is_given_in_the_files_axes_and_units(self):
         thing, scalp = self.add(), plane()
         scalp.location = (0, 0, 0.2)
