@@ -15,6 +15,10 @@ target_compile_options(lancret_options INTERFACE
 if(LANCRET_WARNINGS_AS_ERRORS)
     target_compile_options(lancret_options INTERFACE -Werror)
 endif()
+if(LANCRET_SANITIZE_THREADS)
+    target_compile_options(lancret_options INTERFACE -fsanitize=thread)
+    target_link_options(lancret_options INTERFACE -fsanitize=thread)
+endif()
 if(LANCRET_SANITIZE)
     target_compile_options(lancret_options INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

@@ -42,7 +42,8 @@ RootPlaces child_places(const Groom& groom, const GroomGuides& source) {
             "{}: has hardly a place within {:.3g} cm of the groom's strands, where "
             "hair may grow; their roots are up to {:.3g} cm away from it. Are they in "
             "one place and one unit? [scalp] growth_distance sets the reach",
-            groom.scalp_file.string(), growth, source.largest_snap));
+            groom.scalp_file.empty() ? "scalp" : groom.scalp_file.string(), growth,
+            source.largest_snap));
     }
     return out;
 }

@@ -68,12 +68,12 @@ typedef struct lancret_host {
     size_t size;
     void* user; /* handed to every callback */
     void (*log)(void* user, int level, const char* text);
-    /* Memory of what is handed to a sink, and of what is kept of a chunk; `alignment` is
-     * a power of two up to 64. Null: there is none. Both or neither. */
+    /* Memory of the arrays that are handed to a sink, or pass by on the way to buffers;
+     * `alignment` is a power of two up to 64. Null is out of memory. Both or neither. */
     void* (*allocate)(void* user, size_t bytes, size_t alignment);
     void (*release)(void* user, void* memory, size_t bytes);
-    /* Asked every few milliseconds of work; non-zero: stop, soon, with LANCRET_CANCELLED.
-     */
+    /* Asked as a call begins, and every few milliseconds by a thread of the context's
+     * own; non-zero: all calls stop soon, with LANCRET_CANCELLED. */
     int (*cancelled)(void* user);
     int threads; /* at most so many at once for one call; 0: as many as the machine has */
 } lancret_host;
@@ -96,7 +96,8 @@ LANCRET_API void lancret_destroy(lancret_context* context);
 /* ---- grooms --------------------------------------------------------------------- */
 
 /* A value laid over the groom's own: name "strands.count", "guides.file", ... as in its
- * TOML; text where it is a string, else null and number (booleans 0 and 1). */
+ * TOML; text where it is a string, else null and number (booleans 0 and 1). Lists can
+ * only be said in the TOML. What is wrong is told as of the file, without a line. */
 typedef struct lancret_parameter {
     const char* name;
     const char* text;
@@ -113,7 +114,8 @@ enum {
 };
 typedef struct lancret_strands {
     size_t size;
-    int basis; /* of the points: LANCRET_LINEAR, BSPLINE or CATMULL_ROM */
+    int basis; /* of the points: LANCRET_BSPLINE or CATMULL_ROM; LINEAR's are taken as
+                * samples of a smooth strand, which is CATMULL_ROM too */
     lancret_u32 strands;
     const lancret_u32* counts; /* [strands], points of each, >= 2 */
     const float* points;       /* [sum of counts][3], root first */
@@ -126,12 +128,13 @@ typedef struct lancret_mesh {
     const float* uvs;           /* [triangles][3][2], or null */
 } lancret_mesh;
 
-/* Where a groom comes from: a file (.toml, .hair, .h5), or the text of a TOML. */
+/* Where a groom comes from: a file (.toml, .hair, .h5), a TOML's text, or strands. */
 typedef struct lancret_source {
     size_t size;
     const char* path;   /* or null */
     const char* text;   /* or null; both: the text, and errors name the path */
-    const char* folder; /* that file names in `text` start from; null: the current one */
+    const char* folder; /* that file names in `text` start from; null: that of `path`,
+                         * else the current one */
     const lancret_parameter* parameters;
     size_t parameter_count;
     const lancret_strands* strands; /* in place of the groom's file, or null */
@@ -143,8 +146,10 @@ typedef struct lancret_groom lancret_groom;
 
 /* Loads, fits guides, says where strands stand and cuts them into chunks; expands none.
  * Where it fails, `error` (if not null) has one line with file and place, cut to
- * `error_size` bytes. Tables of the TOML that belong to hosts ([camera], [render], ...)
- * are left alone. */
+ * `error_size` bytes. The TOML's tables [camera], [light], [material], [render],
+ * [dynamics] and [[colliders]] belong to others and are left alone. Grooms of a context
+ * with the same source, whose files have not changed, are one in memory; those with
+ * strands or a scalp of the host's are not. */
 LANCRET_API lancret_status lancret_open(lancret_context* context,
                                         const lancret_source* source,
                                         lancret_groom** groom, char* error,
@@ -162,7 +167,7 @@ typedef struct lancret_info {
     float cm_per_unit;           /* of the scene's unit */
     float up[3];
     double load_seconds, fit_seconds, bind_seconds;
-    size_t bytes; /* kept while the groom is open */
+    size_t bytes; /* kept while the groom is open, for all that share it */
 } lancret_info;
 LANCRET_API lancret_status lancret_get_info(const lancret_groom* groom,
                                             lancret_info* info);
@@ -182,10 +187,12 @@ enum {
 };
 typedef struct lancret_options {
     size_t size;
-    const double* times; /* [time_count] frames; 0 of them: the first frame, or rest */
+    const double* times; /* [time_count] frames, parts of them too, held before the first
+                          * and after the last; 0 of them: the first frame, or rest */
     size_t time_count;   /* at most 64 */
     int basis;           /* LANCRET_BSPLINE, ... */
-    float max_error;     /* that the curves may be off the strand; 0: the groom's own */
+    float max_error;     /* that the curves may be off the strand, 1e-4 cm at least, as
+                          * measured on thousands of strands; 0: the groom's own */
     double density; /* share of the strands that are grown, wider; 0: the groom's own */
     double pixels;  /* that the chunk covers, for: */
     double strands_a_pixel; /* at most so many; 0: no level of detail */
@@ -203,19 +210,22 @@ typedef struct lancret_curves {
     const float* const* tangents;  /* [times] -> [points][4]: of Hermite curves the
                                     * derivative by the segment, w that of the radius;
                                     * else unit, w 0 */
-    const float* const* normals;   /* [times] -> [points][4], w 0 */
+    const float* const* normals;   /* [times] -> [points][4], w 0; of B-splines and
+                                    * Catmull-Rom curves control points, hardly unit at
+                                    * the ends */
     const lancret_u32* ids;        /* [strands] */
-    const float* root_uv;          /* [strands][2] */
+    const float* root_uv;          /* [strands][2]; 0 0 without a scalp */
     const float* lengths;          /* [strands] */
     const lancret_u32* guides;     /* [strands][neighbours] */
     const float* weights;          /* [strands][neighbours] */
-    const float* arc_lengths;      /* [points] */
+    const float* arc_lengths;      /* [points], beyond the ends where points are */
     const float* random;           /* [strands] */
 } lancret_curves;
 
 /* A box that holds the chunk with its widths at the options' times, and between them as
- * curves whose points go straight from one to the next. LANCRET_REACH costs next to
- * nothing and is wide; LANCRET_TIGHT synthesises the chunk and forgets it. */
+ * curves whose points go straight from one to the next; minima above maxima where there
+ * is nothing. LANCRET_REACH costs next to nothing and is wide; LANCRET_TIGHT synthesises
+ * the chunk and forgets it. */
 enum { LANCRET_REACH = 0, LANCRET_TIGHT = 1 };
 LANCRET_API lancret_status lancret_bound(const lancret_groom* groom, lancret_u32 chunk,
                                          const lancret_options* options, int kind,
@@ -225,13 +235,15 @@ LANCRET_API lancret_status lancret_bound(const lancret_groom* groom, lancret_u32
  * status than LANCRET_OK ends the expansion with that status. */
 typedef lancret_status (*lancret_sink)(void* user, const lancret_curves* curves);
 
-/* Expands a chunk, hands it to the sink once, and forgets it. */
+/* Expands a chunk, hands it to the sink once, on the thread that calls, and forgets it.
+ * No strands, where a density leaves none, are handed over too. */
 LANCRET_API lancret_status lancret_expand(const lancret_groom* groom, lancret_u32 chunk,
                                           const lancret_options* options,
                                           lancret_sink sink, void* user);
 
 /* The same into the host's own memory, in steps: bind a chunk, ask for its sizes, give
- * buffers, free it. Any number of times, in any order, chunks side by side. */
+ * buffers, free it (before its groom). Any number of times, in any order, chunks side by
+ * side. */
 typedef struct lancret_chunk lancret_chunk;
 LANCRET_API lancret_status lancret_chunk_open(const lancret_groom* groom,
                                               lancret_u32 chunk,
@@ -278,7 +290,7 @@ LANCRET_API lancret_status lancret_get_guides(const lancret_groom* groom,
                                               lancret_guides* guides);
 
 /* Leave-out measurement of the groom's strands, each blend's figures as JSON, in the form
- * of `lancret evaluate --report`. */
+ * of `lancret evaluate --json`. Guides are as many as the groom says, else 5 %. */
 typedef void (*lancret_text_sink)(void* user, const char* text);
 LANCRET_API lancret_status lancret_evaluate(lancret_context* context,
                                             const lancret_source* source,

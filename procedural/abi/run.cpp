@@ -1,3 +1,4 @@
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
 
@@ -41,7 +42,10 @@ class Call {
     Call& operator=(const Call&) = delete;
 
     void run(const std::function<void()>& work, int threads) {
-        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        // More than the machine has would have TBB say so on stderr.
+        tbb::task_arena arena(threads > 0
+                                  ? std::min(threads, tbb::info::default_concurrency())
+                                  : tbb::task_arena::automatic);
         std::exception_ptr thrown;
         bool done = false;
         arena.execute([&] {

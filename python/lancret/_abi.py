@@ -6,7 +6,16 @@ Nothing here is for users. A struct's `size` is set when it is made.
 from __future__ import annotations
 
 import ctypes
-from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_size_t, c_uint, c_void_p
+from ctypes import (
+    POINTER,
+    c_char_p,
+    c_double,
+    c_float,
+    c_int,
+    c_size_t,
+    c_uint,
+    c_void_p,
+)
 
 ABI_VERSION = 1
 OK, CANCELLED = 0, 4
@@ -214,7 +223,10 @@ FUNCTIONS: dict[str, tuple[object, list[object]]] = {
     "lancret_chunk_sizes": (c_int, [c_void_p, POINTER(Curves)]),
     "lancret_chunk_write": (c_int, [c_void_p, POINTER(Curves)]),
     "lancret_chunk_close": (None, [c_void_p]),
-    "lancret_check_chunk": (c_int, [c_void_p, c_uint, POINTER(Options), POINTER(Check)]),
+    "lancret_check_chunk": (
+        c_int,
+        [c_void_p, c_uint, POINTER(Options), POINTER(Check)],
+    ),
     "lancret_get_guides": (c_int, [c_void_p, POINTER(Guides)]),
     "lancret_evaluate": (
         c_int,

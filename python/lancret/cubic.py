@@ -13,14 +13,13 @@ Array = npt.NDArray[np.floating]
 
 #: Rows: powers 1, t, t^2, t^3; columns: the four control points of a piece.
 MATRICES: dict[str, npt.NDArray[np.float64]] = {
-    "bspline": np.array([[1, 4, 1, 0], [-3, 0, 3, 0], [3, -6, 3, 0], [-1, 3, -3, 1]]) / 6,
+    "bspline": np.array([[1, 4, 1, 0], [-3, 0, 3, 0], [3, -6, 3, 0], [-1, 3, -3, 1]])
+    / 6,
     "catmull-rom": np.array(
         [[0, 2, 0, 0], [-1, 0, 1, 0], [2, -5, 4, -1], [-1, 3, -3, 1]]
     )
     / 2,
-    "bezier": np.array(
-        [[1.0, 0, 0, 0], [-3, 3, 0, 0], [3, -6, 3, 0], [-1, 3, -3, 1]]
-    ),
+    "bezier": np.array([[1.0, 0, 0, 0], [-3, 3, 0, 0], [3, -6, 3, 0], [-1, 3, -3, 1]]),
 }
 #: Control points from one piece to the next.
 STEPS = {"bspline": 1, "catmull-rom": 1, "bezier": 3, "linear": 1}
@@ -93,7 +92,10 @@ def hermite_as_bezier(
     points: Array, tangents: Array, counts: npt.NDArray[np.integer]
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
     """Hermite points and derivatives as Bezier control points."""
-    points, thirds = np.asarray(points, np.float64), np.asarray(tangents, np.float64) / 3
+    points, thirds = (
+        np.asarray(points, np.float64),
+        np.asarray(tangents, np.float64) / 3,
+    )
     three = np.stack([points - thirds, points, points + thirds], axis=1)
     inside = np.ones((len(points), 3), dtype=bool)
     starts = _starts(counts)

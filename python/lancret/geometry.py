@@ -90,7 +90,9 @@ class Strands:
         roots, tips = self.first[:-1], self.first[1:] - 1
         at_roots, at_tips = self.widths[roots], self.widths[tips]
         if self.basis == "bspline":  # control values: the curve ends inside of them
-            at_roots = (at_roots + 4 * self.widths[roots + 1] + self.widths[roots + 2]) / 6
+            at_roots = (
+                at_roots + 4 * self.widths[roots + 1] + self.widths[roots + 2]
+            ) / 6
             at_tips = (at_tips + 4 * self.widths[tips - 1] + self.widths[tips - 2]) / 6
         return float(np.median(at_roots)) * cm, float(np.median(at_tips)) * cm
 

@@ -94,7 +94,9 @@ class Groom:
             self.context.raise_for(library().lancret_get_info(groom, byref(struct)))
         values = {name: getattr(struct, name) for name, *_ in _abi.Info._fields_[1:]}
         values["up"] = tuple(struct.up)
-        values["cm_per_unit"] = float(str(np.float32(struct.cm_per_unit)))  # 0.1, not ..01
+        values["cm_per_unit"] = float(
+            str(np.float32(struct.cm_per_unit))
+        )  # 0.1, not ..01
         return Info(**values)
 
     @property
@@ -177,7 +179,9 @@ class Groom:
             chunk = self.chunks
         numbers = [chunk] if isinstance(chunk, (int, np.integer)) else list(chunk)
         with self._handle.use() as groom, contextlib.ExitStack() as bound:
-            opened = [self._open_chunk(bound, groom, number, asked) for number in numbers]
+            opened = [
+                self._open_chunk(bound, groom, number, asked) for number in numbers
+            ]
             sizes = [self._sizes(chunk_handle) for chunk_handle in opened]
             whole = empty_curves(
                 basis,

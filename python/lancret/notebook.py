@@ -1,7 +1,7 @@
 """Pictures and plots for a notebook, by matplotlib (pip install lancret[notebook]).
 
-    lancret.notebook.picture(groom.expand(0))
-    lancret.notebook.histograms(groom.expand())
+lancret.notebook.picture(groom.expand(0))
+lancret.notebook.histograms(groom.expand())
 """
 
 from __future__ import annotations
@@ -59,7 +59,9 @@ def picture(
         pieces = np.concatenate([np.stack([f[:-1], f[1:]], axis=1) for f in flat])
         along = np.concatenate([np.linspace(0, 1, len(f) - 1) for f in flat])
         look = {"colors": colour} if colour else {"array": along, "cmap": "copper"}
-        axis.add_collection(LineCollection(list(pieces), linewidths=0.6, alpha=0.7, **look))
+        axis.add_collection(
+            LineCollection(list(pieces), linewidths=0.6, alpha=0.7, **look)
+        )
         axis.autoscale()
         axis.set_aspect("equal")
         if name == "top" and up == 1:  # seen from above, Z comes down the page
@@ -78,7 +80,9 @@ def _lines(curves: Curves, time: int, most: int) -> list[Doubles]:
     if most < 1:
         raise InputError(f"most: must be 1 or more, not {most}")
     places, first = curves.places(time=time)
-    some = np.unique(np.linspace(0, len(curves) - 1, min(most, len(curves))).astype(int))
+    some = np.unique(
+        np.linspace(0, len(curves) - 1, min(most, len(curves))).astype(int)
+    )
     return [places[first[i] : first[i + 1], :3] for i in some]
 
 
@@ -98,11 +102,15 @@ def lengths_and_curvatures(curves: Curves, *, time: int = 0) -> tuple[Doubles, D
     return lengths, 2 * turn[good] / product[good]
 
 
-def histograms(curves: Curves, *, time: int = 0, bins: int = 60, size: float = 4) -> Any:
+def histograms(
+    curves: Curves, *, time: int = 0, bins: int = 60, size: float = 4
+) -> Any:
     """A figure with how long strands are, and how much they bend."""
     pyplot = _pyplot()
     lengths, curvatures = lengths_and_curvatures(curves, time=time)
-    figure, axes = pyplot.subplots(1, 2, figsize=(2.5 * size, size), layout="constrained")
+    figure, axes = pyplot.subplots(
+        1, 2, figsize=(2.5 * size, size), layout="constrained"
+    )
     shown = curvatures[curvatures <= np.quantile(curvatures, 0.995)]
     axes[0].hist(lengths, bins=bins)
     axes[0].set(xlabel="length", ylabel="strands")

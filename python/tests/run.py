@@ -1,6 +1,6 @@
 """Runs the tests as CTest does; 77 says that there is nothing to run them with.
 
---with-usd: with the Python that $LANCRET_USD_PYTHON names (scripts/usd-python makes one).
+--with-usd: those of USD and the slow ones, with the Python that $LANCRET_USD_PYTHON names (scripts/usd-python makes one).
 """
 
 import importlib.util
@@ -24,8 +24,11 @@ def main() -> int:
         return SKIPPED
     root = Path(__file__).resolve().parent.parent
     sys.path.insert(0, str(root))
-    pattern = "test_usd*.py" if with_usd else "test*.py"
-    tests = unittest.defaultTestLoader.discover("tests", pattern, root)
+    os.chdir(root)
+    tests = unittest.TestSuite(
+        unittest.defaultTestLoader.discover("tests", pattern, root)
+        for pattern in (["test_usd*.py", "slow_*.py"] if with_usd else ["test*.py"])
+    )
     result = unittest.TextTestRunner().run(tests)
     for reason in sorted({reason for _, reason in result.skipped}):
         print(f"skipped: {reason}")

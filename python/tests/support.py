@@ -32,7 +32,9 @@ def command() -> str | None:
     """The command-line program, to compare with."""
     said = os.environ.get("LANCRET_COMMAND")
     places = [Path(said)] if said else []
-    places += [ROOT / "build" / preset / "tools" / "lancret" for preset in ("release", "ci")]
+    places += [
+        ROOT / "build" / preset / "tools" / "lancret" for preset in ("release", "ci")
+    ]
     return next((str(place) for place in places if place.is_file()), None)
 
 

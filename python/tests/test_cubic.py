@@ -45,7 +45,9 @@ class Cubic(unittest.TestCase):
         places, pieces = cubic.sample(ends, made, "bspline", 1)
         self.assertEqual(made.tolist(), [4, 7])
         self.assertEqual(pieces.tolist(), [2, 5])
-        np.testing.assert_allclose(places[[0, 1, 2, 6]], points[[0, 1, 2, 6]], atol=1e-14)
+        np.testing.assert_allclose(
+            places[[0, 1, 2, 6]], points[[0, 1, 2, 6]], atol=1e-14
+        )
 
     def test_hermite_pieces_begin_and_end_with_their_derivatives(self):
         random = np.random.default_rng(4)
@@ -57,6 +59,11 @@ class Cubic(unittest.TestCase):
         np.testing.assert_allclose(3 * (made[6] - made[5]), tangents[2], atol=1e-14)
 
     def test_counts_that_make_no_curve_are_refused(self):
-        for count, basis in ((1, "linear"), (3, "bspline"), (5, "bezier"), (3, "bezier")):
+        for count, basis in (
+            (1, "linear"),
+            (3, "bspline"),
+            (5, "bezier"),
+            (3, "bezier"),
+        ):
             with self.assertRaisesRegex(InputError, f"{basis} curve of {count} points"):
                 cubic.pieces_of(count, basis)

@@ -26,12 +26,16 @@ class Input(unittest.TestCase):
         values = [source.struct.parameters[i] for i in range(3)]
         self.assertEqual([value.text for value in values], [b"x", None, None])
         self.assertEqual([value.number for value in values], [0, 1, 0.5])
-        with self.assertRaisesRegex(lancret.InputError, r"scene.up: \[0, 1\] is neither"):
+        with self.assertRaisesRegex(
+            lancret.InputError, r"scene.up: \[0, 1\] is neither"
+        ):
             Source(None, parameters={"scene": {"up": [0, 1]}})
 
     def test_text_is_told_by_its_line_breaks(self):
         source = Source("[guides]\n")
-        self.assertEqual((source.struct.text, source.struct.path), (b"[guides]\n", None))
+        self.assertEqual(
+            (source.struct.text, source.struct.path), (b"[guides]\n", None)
+        )
         source = Source("head.toml", text="")
         self.assertEqual((source.struct.text, source.struct.path), (b"", b"head.toml"))
 

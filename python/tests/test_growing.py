@@ -10,10 +10,23 @@ from .support import SMALL
 
 
 def all_arrays(curves):
-    names = ("counts", "positions", "tangents", "normals", "ids", "root_uv", "lengths",
-             "guides", "weights", "arc_lengths", "random")
+    names = (
+        "counts",
+        "positions",
+        "tangents",
+        "normals",
+        "ids",
+        "root_uv",
+        "lengths",
+        "guides",
+        "weights",
+        "arc_lengths",
+        "random",
+    )
     return {
-        name: getattr(curves, name) for name in names if getattr(curves, name) is not None
+        name: getattr(curves, name)
+        for name in names
+        if getattr(curves, name) is not None
     }
 
 
@@ -52,7 +65,8 @@ class Growing(unittest.TestCase):
 
     def test_attributes_are_there_only_where_asked_for(self):
         self.assertEqual(
-            set(all_arrays(self.groom.expand(0, attributes=()))), {"counts", "positions"}
+            set(all_arrays(self.groom.expand(0, attributes=()))),
+            {"counts", "positions"},
         )
         with_two = all_arrays(self.groom.expand(0, attributes=("lengths", "guides")))
         self.assertEqual(
@@ -105,7 +119,9 @@ class Growing(unittest.TestCase):
             low = (hair.points - hair.radii[:, None]).min(axis=0)
             high = (hair.points + hair.radii[:, None]).max(axis=0)
             for box in (reach, tight):
-                self.assertTrue((box[0] <= low + 1e-5).all() and (high <= box[1] + 1e-5).all())
+                self.assertTrue(
+                    (box[0] <= low + 1e-5).all() and (high <= box[1] + 1e-5).all()
+                )
             self.assertTrue((reach[0] <= tight[0] + 1e-4).all())
             self.assertTrue((tight[1] <= reach[1] + 1e-4).all())
 
@@ -118,9 +134,12 @@ class Growing(unittest.TestCase):
 
     def test_units_scale_places_widths_and_lengths(self):
         cm, m = (
-            self.groom.expand(0, attributes=("lengths",), unit=unit) for unit in (0, 100)
+            self.groom.expand(0, attributes=("lengths",), unit=unit)
+            for unit in (0, 100)
         )
-        np.testing.assert_allclose(m.positions * 100, cm.positions, rtol=1e-6, atol=1e-7)
+        np.testing.assert_allclose(
+            m.positions * 100, cm.positions, rtol=1e-6, atol=1e-7
+        )
         np.testing.assert_allclose(m.lengths * 100, cm.lengths, rtol=1e-6)
 
     def test_arrays_are_the_memory_that_the_library_wrote_to(self):

@@ -32,7 +32,9 @@ class Layout(WithFolder):
         )
         binary = self.folder / "layout"
         subprocess.run([COMPILER, "-std=c89", program, "-o", binary], check=True)
-        said = subprocess.run([binary], check=True, capture_output=True, text=True).stdout
+        said = subprocess.run(
+            [binary], check=True, capture_output=True, text=True
+        ).stdout
         expected = []
         for name, struct in _abi.STRUCTS.items():
             expected.append(f"{name} {ctypes.sizeof(struct)}")
@@ -51,8 +53,11 @@ class Layout(WithFolder):
                 said += (
                     [pointer[1]]
                     if pointer
-                    else [re.findall(r"\w+", part.split("[")[0])[-1]
-                          for part in line.split(",") if part.strip()]
+                    else [
+                        re.findall(r"\w+", part.split("[")[0])[-1]
+                        for part in line.split(",")
+                        if part.strip()
+                    ]
                 )
             self.assertEqual(said, [f for f, *_ in _abi.STRUCTS[name]._fields_], name)
         functions = set(re.findall(r"LANCRET_API[^;]*?\b(lancret_\w+)\(", text))

@@ -14,7 +14,9 @@ def circles(radii, points=33):
     """Half circles about Z as polylines."""
     angles = np.linspace(0, np.pi, points)
     rows = [
-        np.stack([r * np.cos(angles), r * np.sin(angles), 0 * angles, 0 * angles], axis=1)
+        np.stack(
+            [r * np.cos(angles), r * np.sin(angles), 0 * angles, 0 * angles], axis=1
+        )
         for r in radii
     ]
     return lancret.Curves(
@@ -52,5 +54,13 @@ class Figures(unittest.TestCase):
 
     def test_nothing_to_draw_says_so(self):
         with self.assertRaisesRegex(lancret.InputError, "no strands"):
-            notebook._lines(circles([1, 2]).__class__("linear", (), np.empty(0, np.uint32),
-                                                      np.empty((1, 0, 4), np.float32)), 0, 5)
+            notebook._lines(
+                circles([1, 2]).__class__(
+                    "linear",
+                    (),
+                    np.empty(0, np.uint32),
+                    np.empty((1, 0, 4), np.float32),
+                ),
+                0,
+                5,
+            )

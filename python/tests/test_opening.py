@@ -62,9 +62,7 @@ class Opening(WithFolder):
         self.assertEqual(hair.root_uv.shape, (200, 2))
         # On the square, texture coordinates are places over its side of 4 cm.
         places, first = hair.places(a_piece=1)
-        np.testing.assert_allclose(
-            hair.root_uv, places[first[:-1], :2] / 4, atol=1e-4
-        )
+        np.testing.assert_allclose(hair.root_uv, places[first[:-1], :2] / 4, atol=1e-4)
         np.testing.assert_allclose(guides.root_positions[:, 2], 0, atol=1e-5)
         self.assertLess(guides.fit_rms.max(), 0.05)
 
@@ -89,7 +87,9 @@ class Opening(WithFolder):
         self.assertEqual(guides.curvatures.shape, (25, 12, 3))
         frames = guides.root_frames
         np.testing.assert_allclose(
-            frames @ frames.transpose(0, 2, 1), np.tile(np.eye(3), (25, 1, 1)), atol=1e-9
+            frames @ frames.transpose(0, 2, 1),
+            np.tile(np.eye(3), (25, 1, 1)),
+            atol=1e-9,
         )
         chords = np.linalg.norm(np.diff(lawn().strand(0), axis=0), axis=1).sum()
         # The curve through 24 points of an arc of 9 radians is longer than its chords by

@@ -28,7 +28,12 @@ class SameBits(WithFolder):
         return np.array([np.float32(word) for word in rows]).reshape(-1, 4)
 
     def test_bsplines_of_made_grooms(self):
-        for text in (SMALL, CURLY, SMALL + 'blend = "option1"\n', SMALL + "tolerance=0.2\n"):
+        for text in (
+            SMALL,
+            CURLY,
+            SMALL + 'blend = "option1"\n',
+            SMALL + "tolerance=0.2\n",
+        ):
             with self.subTest(text=text):
                 path = self.file("groom.toml", text)
                 expected = self.control_points(path)
@@ -48,8 +53,11 @@ class SameBits(WithFolder):
         self.assertEqual(ours.tobytes(), expected.tobytes())
 
     def test_frames_of_a_cache(self):
-        path = self.file("groom.toml", SMALL + "[motion]\nkeys = [{ frame = 1 }, "
-                         "{ frame = 3, turn = [0, 20, 0] }]\n")
+        path = self.file(
+            "groom.toml",
+            SMALL + "[motion]\nkeys = [{ frame = 1 }, "
+            "{ frame = 3, turn = [0, 20, 0] }]\n",
+        )
         cache = self.folder / "cache.h5"
         subprocess.run(
             [command(), "simulate", path, "--frames", "1-3", "-o", cache],

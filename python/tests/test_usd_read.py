@@ -4,9 +4,9 @@ import unittest
 
 import numpy as np
 
-from lancret import InputError, Strands, cubic
+from lancret import InputError, cubic
 
-from .support import DATA, HAS_USD, needs_data, needs_usd
+from .support import HAS_USD, needs_usd
 
 if HAS_USD:
     from pxr import Gf, Sdf, Usd, UsdGeom, Vt
@@ -45,7 +45,9 @@ class Bases(unittest.TestCase):
         read = usd.read(stage)
         self.assertEqual(read.counts.tolist(), [4, 7])
         places, _ = cubic.sample(read.points, read.counts, "bspline", 1)
-        np.testing.assert_allclose(places[[0, 1, 2, 6]], points[[0, 1, 2, 6]], atol=1e-6)
+        np.testing.assert_allclose(
+            places[[0, 1, 2, 6]], points[[0, 1, 2, 6]], atol=1e-6
+        )
 
     def test_polylines_stay_polylines_whatever_their_basis_says(self):
         points = some_points(5)
@@ -83,7 +85,11 @@ class Bases(unittest.TestCase):
             usd.read(stage)
 
     def test_counts_that_do_not_fit_are_refused(self):
-        for counts, said in (([4], "the sum 4"), ([1, 4], "the least is 1"), ([2, 3], "needs 4")):
+        for counts, said in (
+            ([4], "the sum 4"),
+            ([1, 4], "the least is 1"),
+            ([2, 3], "needs 4"),
+        ):
             stage, _ = stage_with(some_points(5), counts)
             with self.assertRaisesRegex(InputError, f":/hair: .*{said}"):
                 usd.read(stage)
@@ -126,9 +132,11 @@ class Widths(unittest.TestCase):
                         "constant": 1,
                         "uniform": 2,
                         "vertex": sum(counts),
-                        "varying": curves.ComputeVaryingDataSize(Usd.TimeCode.Default())
-                        if hasattr(curves, "ComputeVaryingDataSize")
-                        else self.varying(curves, sum(counts)),
+                        "varying": (
+                            curves.ComputeVaryingDataSize(Usd.TimeCode.Default())
+                            if hasattr(curves, "ComputeVaryingDataSize")
+                            else self.varying(curves, sum(counts))
+                        ),
                     }[kind]
                     curves.CreateWidthsAttr([0.5] * size)
                     curves.SetWidthsInterpolation(kind)
@@ -146,7 +154,9 @@ class Widths(unittest.TestCase):
 
     def test_pinned_varying_widths_may_be_one_a_point(self):
         """The ends of pieces, of which a pinned curve has one fewer than points."""
-        stage, curves = stage_with(some_points(5), [5], basis="catmullRom", wrap="pinned")
+        stage, curves = stage_with(
+            some_points(5), [5], basis="catmullRom", wrap="pinned"
+        )
         curves.CreateWidthsAttr([1, 2, 4, 8, 16])
         curves.SetWidthsInterpolation("varying")
         np.testing.assert_allclose(usd.read(stage).widths[::8], [1, 2, 4, 8, 16])
@@ -177,7 +187,9 @@ class Widths(unittest.TestCase):
         stage, curves = stage_with(some_points(9), [4, 5])
         curves.CreateWidthsAttr([1, 2, 3, 4])
         curves.SetWidthsInterpolation("vertex")
-        with self.assertRaisesRegex(InputError, "widths are vertex, and so should be 9"):
+        with self.assertRaisesRegex(
+            InputError, "widths are vertex, and so should be 9"
+        ):
             usd.read(stage)
 
 
@@ -202,7 +214,9 @@ class Places(unittest.TestCase):
         )
         UsdGeom.SetStageMetersPerUnit(stage, 0.5)
         UsdGeom.SetStageUpAxis(stage, "Z")
-        self.assertEqual((usd.read(stage).metres_per_unit, usd.read(stage).up), (0.5, "Z"))
+        self.assertEqual(
+            (usd.read(stage).metres_per_unit, usd.read(stage).up), (0.5, "Z")
+        )
 
     def test_instances_are_read_where_they_stand(self):
         stage, _ = stage_with(some_points(4), [4])
@@ -260,86 +274,3 @@ class Places(unittest.TestCase):
             [(i, 0) for i in range(9)]
         )
         self.assertEqual(usd.read(stage).root_uv.tolist(), [[0, 0], [4, 0]])
-
-
-@needs_usd
-class Meshes(unittest.TestCase):
-    def square(self, orientation):
-        stage = Usd.Stage.CreateInMemory()
-        mesh = UsdGeom.Mesh.Define(stage, "/plane")
-        mesh.CreatePointsAttr([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0)])
-        mesh.CreateFaceVertexCountsAttr([4, 3])
-        mesh.CreateFaceVertexIndicesAttr([0, 1, 2, 3, 1, 4, 2])
-        mesh.CreateOrientationAttr(orientation)
-        return stage, mesh
-
-    def normals(self, mesh):
-        a, b, c = (mesh.positions[mesh.corners[:, k]] for k in range(3))
-        return np.cross(b - a, c - a)[:, 2]
-
-    def test_faces_are_cut_into_triangles(self):
-        read = usd.read_mesh(self.square("rightHanded")[0])
-        self.assertEqual(read.corners.tolist(), [[0, 1, 2], [0, 2, 3], [1, 4, 2]])
-        self.assertTrue((self.normals(read) > 0).all())
-
-    def test_left_hands_and_mirrors_turn_faces_over(self):
-        stage, mesh = self.square("leftHanded")
-        self.assertTrue((self.normals(usd.read_mesh(stage)) < 0).all())
-        mesh.AddScaleOp().Set(Gf.Vec3f(-1, 1, 1))
-        read = usd.read_mesh(stage)  # the mirror leaves z alone, and so the outside
-        np.testing.assert_allclose(read.positions[1], [-1, 0, 0])
-        self.assertTrue((self.normals(read) < 0).all())
-
-    def test_texture_coordinates_are_those_of_corners(self):
-        stage, mesh = self.square("rightHanded")
-        primvar = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
-            "UVMap", Sdf.ValueTypeNames.TexCoord2fArray, "faceVarying"
-        )
-        primvar.Set([(i, 0) for i in range(7)])
-        uvs = usd.read_mesh(stage).uvs
-        self.assertEqual(uvs[:, :, 0].tolist(), [[0, 1, 2], [0, 2, 3], [4, 5, 6]])
-        primvar.Set([(0, 0)])
-        self.assertIsNone(usd.read_mesh(stage).uvs)
-        with self.assertRaisesRegex(InputError, "no primvar UVMap"):
-            usd.read_mesh(stage, uv="UVMap")
-
-    def test_indices_beyond_the_points_are_refused(self):
-        stage, mesh = self.square("rightHanded")
-        mesh.CreateFaceVertexIndicesAttr([0, 1, 2, 3, 1, 5, 2])
-        with self.assertRaisesRegex(InputError, "from 0 to 4"):
-            usd.read_mesh(stage)
-
-
-@needs_usd
-@needs_data
-class RealFiles(unittest.TestCase):
-    def test_a_pinned_tuft_of_samples_alone(self):
-        read = usd.read(DATA / "tuft_bspline.usda")
-        self.assertEqual((len(read), read.basis), (1987, "bspline"))
-        self.assertTrue((read.counts == 12).all())
-        self.assertEqual((read.metres_per_unit, read.up), (1, "Y"))
-        self.assertEqual(read.ids.shape, (1987,))
-        places, counts = cubic.sample(read.points, read.counts, "bspline", 1)
-        roots = places[:: counts[0]]
-        mesh = usd.read_mesh(DATA / "tuft_bspline.usda")
-        near = np.linalg.norm(roots[:50, None] - mesh.positions[None], axis=2).min(axis=1)
-        self.assertLess(near.max(), 0.05)  # the sphere's edges are about 0.03 long
-        outwards = np.einsum(
-            "ij,ij->i",
-            np.cross(
-                mesh.positions[mesh.corners[:, 1]] - mesh.positions[mesh.corners[:, 0]],
-                mesh.positions[mesh.corners[:, 2]] - mesh.positions[mesh.corners[:, 0]],
-            ),
-            mesh.positions[mesh.corners[:, 0]],
-        )
-        self.assertGreater((outwards > 0).mean(), 0.99)  # left-handed, turned over
-
-    def test_blenders_hair_has_no_wrap_and_a_transform(self):
-        read = usd.read(DATA / "wavy_blender.usda")
-        self.assertEqual((len(read), read.basis, read.up), (72, "bspline", "Z"))
-        self.assertTrue((read.counts == 9).all())
-        self.assertIsNone(read.widths)
-        np.testing.assert_allclose(  # the file's first point, moved by its parent
-            read.points[0], [-0.24708444, -0.66069597, -2 * 0.80387932], atol=1e-6
-        )
-        self.assertIsInstance(read, Strands)

@@ -38,12 +38,15 @@ inline ContextHandle a_context(const lancret_host* host = nullptr) {
     return ContextHandle(out);
 }
 
+/// The text must outlive it.
 inline lancret_source text_source(const std::string& text) {
     lancret_source out{};
     out.size = sizeof out;
     out.text = text.c_str();
     return out;
 }
+
+lancret_source text_source(std::string&&) = delete;
 
 struct Opened {
     lancret_status status;

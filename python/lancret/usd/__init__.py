@@ -1,8 +1,8 @@
 """USD in and out, by `usd-core` (pip install lancret[usd]).
 
-    strands = lancret.usd.read("guides.usda")
-    with lancret.open(strands=strands, scalp=lancret.usd.read_mesh("guides.usda")) as groom:
-        lancret.usd.write("hair.usdc", groom)
+strands = lancret.usd.read("guides.usda")
+with lancret.open(strands=strands, scalp=lancret.usd.read_mesh("guides.usda")) as groom:
+    lancret.usd.write("hair.usdc", groom)
 """
 
 from .checker import complaints

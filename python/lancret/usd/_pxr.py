@@ -74,7 +74,9 @@ def to_world(points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     return world
 
 
-def array_of(attribute: Any, time: Any, shape: tuple[int, ...], dtype: Any) -> np.ndarray:
+def array_of(
+    attribute: Any, time: Any, shape: tuple[int, ...], dtype: Any
+) -> np.ndarray:
     """An attribute's value; empty where it has none. Raises InputError where a number in
     it is not finite."""
     value = attribute.Get(time)

@@ -4,14 +4,23 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from .. import cubic
 from ..errors import InputError
 from ..geometry import Strands
-from ._pxr import UsdGeom, array_of, matrix_of, moment, name_of, prims_of, stage_of, to_world
+from ._pxr import (
+    UsdGeom,
+    array_of,
+    matrix_of,
+    moment,
+    name_of,
+    prims_of,
+    stage_of,
+    to_world,
+)
 
 _BASES = {"bspline": "bspline", "catmullRom": "catmull-rom", "bezier": "bezier"}
 _PINNED = ("bspline", "catmull-rom")  # of which the ends need points that are not there
@@ -19,11 +28,22 @@ _PINNED = ("bspline", "catmull-rom")  # of which the ends need points that are n
 PLACES_A_PIECE = 8
 
 
-def read(source: Any, prim: str | None = None, time: float | None = None) -> Strands:
+def read(
+    source: Any,
+    prim: str | None = None,
+    time: float | None = None,
+    *,
+    transform: bool = True,
+    wrap: Literal["nonperiodic", "pinned"] | None = None,
+) -> Strands:
     """The strands of every BasisCurves at or below `prim` (none: of the stage), in world
     space and the stage's units.
 
     source: a file, or a Usd.Stage. time: none: the default value, or the first sample.
+    transform: False takes points as they stand, for files whose points are in world space
+        below a transform all the same, such as Blender 2.93's hair.
+    wrap: in place of the file's: "pinned" for files that do not say so but whose curves
+        are meant to begin at their first points, as Blender's again.
 
     `linear` and `bspline` curves keep their control points, with the points that
     `pinned` only implies. `bezier` and `catmullRom` curves, which are no B-splines,
@@ -35,7 +55,7 @@ def read(source: Any, prim: str | None = None, time: float | None = None) -> Str
     """
     stage = stage_of(source)
     parts = [
-        _read_prim(each, moment(time))
+        _read_prim(each, moment(time), transform, wrap)
         for each in prims_of(stage, prim, UsdGeom.BasisCurves)
     ]
     joined = _joined([part for part in parts if len(part)] or parts[:1])
@@ -66,7 +86,10 @@ class _Form:
     def stretched(self) -> int:
         """What UsdGeomBasisCurves computes as the number of `varying` values of pinned
         curves: as if they were not pinned. Files of either kind are about."""
-        if not (self.pinned and self.basis in _PINNED) or self.counts.min(initial=4) < 4:
+        if (
+            not (self.pinned and self.basis in _PINNED)
+            or self.counts.min(initial=4) < 4
+        ):
             return -1
         return int((self.counts - 2).sum())
 
@@ -79,10 +102,13 @@ class _Form:
         }.get(interpolation, -1)
 
 
-def _form(curves: Any, time: Any, points: int) -> _Form:
+def _form(curves: Any, time: Any, points: int, said_wrap: str | None) -> _Form:
     name = name_of(curves.GetPrim())
-    wrap, kind = str(curves.GetWrapAttr().Get()), str(curves.GetTypeAttr().Get())
-    basis = "linear" if kind == "linear" else _BASES.get(str(curves.GetBasisAttr().Get()))
+    wrap = said_wrap or str(curves.GetWrapAttr().Get())
+    kind = str(curves.GetTypeAttr().Get())
+    basis = (
+        "linear" if kind == "linear" else _BASES.get(str(curves.GetBasisAttr().Get()))
+    )
     if basis is None:
         raise InputError(
             f"{name}: basis is {curves.GetBasisAttr().Get()}; one of {', '.join(_BASES)} "
@@ -107,14 +133,16 @@ def _form(curves: Any, time: Any, points: int) -> _Form:
     return form
 
 
-def _read_prim(prim: Any, time: Any) -> Strands:
+def _read_prim(prim: Any, time: Any, transform: bool, wrap: str | None) -> Strands:
     curves = UsdGeom.BasisCurves(prim)
     points = array_of(curves.GetPointsAttr(), time, (-1, 3), np.float64)
-    form = _form(curves, time, len(points))
-    matrix = matrix_of(prim, time)
+    form = _form(curves, time, len(points), wrap)
+    matrix = matrix_of(prim, time) if transform else np.eye(4)
     points = to_world(points, matrix)
     widths = _widths(curves, form, time)
-    if widths is not None:  # a transform that scales unevenly has no one width: the mean
+    if (
+        widths is not None
+    ):  # a transform that scales unevenly has no one width: the mean
         widths = widths * abs(np.linalg.det(matrix[:3, :3])) ** (1 / 3)
         points = np.column_stack([points, widths])
     basis, counts = form.basis, form.counts
@@ -226,7 +254,9 @@ def _joined(parts: list[Strands]) -> Strands:
 
     def together(name: str) -> Any:
         arrays = [getattr(part, name) for part in parts]
-        return None if any(array is None for array in arrays) else np.concatenate(arrays)
+        return (
+            None if any(array is None for array in arrays) else np.concatenate(arrays)
+        )
 
     return Strands(
         points=together("points"),

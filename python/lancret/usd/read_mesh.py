@@ -8,11 +8,23 @@ import numpy as np
 
 from ..errors import InputError
 from ..geometry import Mesh
-from ._pxr import UsdGeom, array_of, matrix_of, moment, name_of, prims_of, stage_of, to_world
+from ._pxr import (
+    UsdGeom,
+    array_of,
+    matrix_of,
+    moment,
+    name_of,
+    prims_of,
+    stage_of,
+    to_world,
+)
 
 
 def read_mesh(
-    source: Any, prim: str | None = None, time: float | None = None, uv: str | None = None
+    source: Any,
+    prim: str | None = None,
+    time: float | None = None,
+    uv: str | None = None,
 ) -> Mesh:
     """A mesh in world space and the stage's units, its faces cut into triangles from
     their first corner. A surface to be subdivided is taken as the cage that it is.
@@ -43,11 +55,15 @@ def _read_prim(prim: Any, time: Any, uv: str | None) -> Mesh:
             "corners in all"
         )
     if indices.min() < 0 or indices.max() >= len(points):
-        raise InputError(f"{name}: faceVertexIndices must be from 0 to {len(points) - 1}")
+        raise InputError(
+            f"{name}: faceVertexIndices must be from 0 to {len(points) - 1}"
+        )
     matrix = matrix_of(prim, time)
     corners = _fans(counts)
     left = str(mesh.GetOrientationAttr().Get()) == "leftHanded"
-    if left != (np.linalg.det(matrix[:3, :3]) < 0):  # a mirror turns them over once more
+    if left != (
+        np.linalg.det(matrix[:3, :3]) < 0
+    ):  # a mirror turns them over once more
         corners = corners[:, ::-1]
     uvs = _uvs(prim, time, uv, indices, len(points))
     return Mesh(
@@ -73,9 +89,12 @@ def _uvs(
 ) -> np.ndarray | None:
     """[corners][2]; none where there are none that fit."""
     primvars = UsdGeom.PrimvarsAPI(prim)
-    names = [uv] if uv else ["st"] + [
-        str(each.GetPrimvarName()) for each in primvars.GetPrimvarsWithValues()
-    ]
+    names = (
+        [uv]
+        if uv
+        else ["st"]
+        + [str(each.GetPrimvarName()) for each in primvars.GetPrimvarsWithValues()]
+    )
     for name in names:
         primvar = primvars.GetPrimvar(name)
         value = primvar.ComputeFlattened(time) if primvar else None
@@ -89,5 +108,7 @@ def _uvs(
             of_corners: np.ndarray = values[indices]
             return of_corners
     if uv:
-        raise InputError(f"{name_of(prim)}: has no primvar {uv} of two numbers a corner")
+        raise InputError(
+            f"{name_of(prim)}: has no primvar {uv} of two numbers a corner"
+        )
     return None

@@ -147,7 +147,9 @@ def _set_counts(made: Any, curves: Curves) -> None:
     if not attribute.HasAuthoredValue():
         attribute.Set(counts)
         return
-    before = attribute.Get(Usd.TimeCode(curves.times[0]) if curves.times else _default())
+    before = attribute.Get(
+        Usd.TimeCode(curves.times[0]) if curves.times else _default()
+    )
     if before != counts:
         for time in curves.times:
             attribute.Set(counts, Usd.TimeCode(time))
