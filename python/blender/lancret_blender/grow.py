@@ -1,4 +1,4 @@
-"""Grows a Lancret object's strands: a share for the viewport, all of them for a render."""
+"""Grows a Lancret object's strands: a share for the viewport, all for a render."""
 
 from __future__ import annotations
 
@@ -30,7 +30,9 @@ def in_viewport(thing: bpy.types.Object) -> bool:
     return _guarded(thing, work)
 
 
-def in_full(thing: bpy.types.Object, scene: bpy.types.Scene, mesh: bpy.types.Mesh) -> bool:
+def in_full(
+    thing: bpy.types.Object, scene: bpy.types.Scene, mesh: bpy.types.Mesh
+) -> bool:
     """All strands at the scene's frame into a mesh of the caller's."""
 
     def work() -> None:

@@ -2,8 +2,8 @@
 
 A render: `render_pre` comes before each frame, when the scene is at it and nothing has
 been evaluated; there each object gets a mesh with all its strands in place of the
-viewport's, which is put back at the end. Blender also says `frame_change_pre` in a render,
-for each moment of motion blur: that is passed over.
+viewport's, which is put back at the end. Blender also says `frame_change_pre` in a
+render, for each moment of motion blur: that is passed over.
 """
 
 from __future__ import annotations

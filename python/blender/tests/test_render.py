@@ -11,6 +11,13 @@ keys = [{ frame = 1 }, { frame = 4, turn = [0, 30, 0] }]
 """
 
 
+def alpha_of(path):
+    picture = bpy.data.images.load(str(path))
+    alpha = np.array(picture.pixels[:])[3::4]
+    bpy.data.images.remove(picture)
+    return alpha
+
+
 class Render(InBlender):
     def seen(self):
         """A list that gets what each frame is rendered of, in the render itself."""
@@ -57,12 +64,7 @@ class Render(InBlender):
         thing.lancret.root_width = thing.lancret.tip_width = 0.4
         self.update(thing)
         self.assertLess(thing.lancret.strands, 10)
-        self.small_render()
-        self.scene.render.resolution_x = self.scene.render.resolution_y = 64
-        self.scene.render.film_transparent = True
-        self.scene.cycles.samples = 4
-        self.scene.camera.location = (0, -1.5, 0)
-        self.scene.camera.rotation_euler = (np.pi / 2, 0, 0)
+        self.view_from_the_front()
         every = self.covered()
         self.assertGreater(every, 0.02)
         thing.lancret.count = 20
@@ -72,13 +74,18 @@ class Render(InBlender):
         self.update(thing)
         self.assertEqual(self.covered(), every)
 
+    def view_from_the_front(self):
+        self.small_render()
+        self.scene.render.resolution_x = self.scene.render.resolution_y = 64
+        self.scene.render.film_transparent = True
+        self.scene.cycles.samples = 4
+        self.scene.camera.location = (0, -1.5, 0)
+        self.scene.camera.rotation_euler = (np.pi / 2, 0, 0)
+
     def covered(self):
         """The share of the picture that hair covers."""
         bpy.ops.render.render(write_still=True)
-        picture = bpy.data.images.load(self.scene.render.filepath)
-        alpha = np.array(picture.pixels[:])[3::4]
-        bpy.data.images.remove(picture)
-        return float(alpha.mean())
+        return float(alpha_of(self.scene.render.filepath).mean())
 
     def test_goes_on_with_the_viewports_where_the_groom_is_at_fault(self):
         thing = self.add()
@@ -131,6 +138,20 @@ class Cache(InBlender):
 
     drawn = Render.drawn
 
+    def test_is_drawn_at_each_frame_of_an_animation(self):
+        thing = self.add(self.cache)
+        thing.lancret.root_width = thing.lancret.tip_width = 0.4
+        Render.view_from_the_front(self)
+        self.scene.frame_start, self.scene.frame_end = 2, 4
+        self.scene.render.filepath = str(self.folder / "frame")
+        bpy.ops.render.render(animation=True)
+        second, last = (alpha_of(self.folder / f"frame000{n}.png") for n in (2, 4))
+        self.scene.frame_set(4)
+        self.scene.render.filepath = str(self.folder / "still.png")
+        bpy.ops.render.render(write_still=True)
+        self.assertGreater(np.abs(second - last).max(), 0.2)
+        self.assertTrue(np.array_equal(last, alpha_of(self.folder / "still.png")))
+
     def test_is_blurred_by_velocities(self):
         thing = self.add(self.cache)
         self.scene.render.use_motion_blur = True
@@ -142,8 +163,8 @@ class Cache(InBlender):
         mesh.attributes["velocity"].data.foreach_get("vector", rates.ravel())
         before, after = (of_the_abi(self.cache, times=t)[0] for t in (1.75, 2.25))
         moved = (after - before).astype(np.float64)
-        # Frames a second, over the half frame between; floats of coordinates below 0.5
-        # are off by 2^-26 each, two of them in a difference, rounded once more by the rate.
+        # Frames a second, over the half frame between. Floats of coordinates below 0.5 are
+        # off by 2^-26 each, two of them in a difference, rounded once more by the rate.
         exact = moved * 24 / 0.5
         self.assertLess(np.abs(rates - exact).max(), 48 * 4 * 2**-26)
         self.assertGreater(np.abs(rates).max(), 0.1)
