@@ -3,8 +3,8 @@
 A Lancret object is an (empty) hair Curves object: Cycles draws nothing else as hair. Its
 strands are a mesh of edges, of an object that no collection has, and geometry nodes make
 curves of them whenever Blender evaluates the object. That way everything can be written
-from Python at once and anywhere, in a render's handlers too; Blender before 4.3 has no
-call that would resize Curves.
+from Python at once and anywhere, in a render's handlers too; Blender 3.4 has no call that
+would resize Curves.
 """
 
 from __future__ import annotations
