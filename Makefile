@@ -6,7 +6,7 @@ BUILD := build/$(PRESET)
 LANCRET := $(BUILD)/tools/lancret
 SOURCES := $(shell git ls-files '*.h' '*.cpp' 2>/dev/null)
 
-.PHONY: all preview evaluate gallery test test-slow bench format format-check lint deps clean
+.PHONY: all preview evaluate gallery blender-addon test test-slow bench format format-check lint deps clean
 
 all: deps
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
@@ -53,6 +53,12 @@ gallery: deps
 	done
 	$(LANCRET) simulate examples/made_groom.toml --frames 1-12 -o out/gallery/turn.h5 --restart
 	$(LANCRET) preview out/gallery/turn.h5 --frame 11 --shutter 0,0.8 --motion-samples 5 --size 480x480 -o out/gallery/turn.png
+
+# The Blender add-on with the Python package and the library, for Blender to install: docs/blender.md.
+blender-addon: deps
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret_plugin
+	python3 python/blender/build_zip.py $(BUILD)/liblancret_procedural.so out/lancret_blender.zip
 
 test: deps
 	cmake --preset $(PRESET) -DLANCRET_TESTS=ON

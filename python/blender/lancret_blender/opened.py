@@ -1,0 +1,97 @@
+"""Grooms that are open, so that neither a frame nor another density loads them again."""
+
+from __future__ import annotations
+
+import collections
+import hashlib
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .package import lancret
+
+if TYPE_CHECKING:
+    from .sources import Source
+
+_MOST = 8  # kept open
+_grooms: collections.OrderedDict[str, Any] = collections.OrderedDict()
+_units: dict[tuple[Any, ...], tuple[float, tuple[float, ...]]] = {}
+_context: Any = None
+
+
+def context() -> Any:
+    """That all grooms share, and with it guides that were fitted once."""
+    global _context
+    if _context is None:
+        _context = lancret().Context()
+    return _context
+
+
+def groom(source: Source) -> Any:
+    """The lancret.Groom of a source. Raises lancret.Error."""
+    key = _key(source)
+    if key in _grooms:
+        _grooms.move_to_end(key)
+        return _grooms[key]
+    found = lancret().open(
+        source.path,
+        parameters=source.parameters,
+        strands=source.strands,
+        scalp=source.scalp,
+        chunk_strands=source.chunk_strands,
+        context=context(),
+    )
+    _grooms[key] = found
+    while len(_grooms) > _MOST:
+        _grooms.popitem(last=False)[1].close()
+    return found
+
+
+def units(path: str) -> tuple[float, tuple[float, ...]]:
+    """cm of a file's unit and which way is up in it. Raises lancret.Error."""
+    key = (path, *_stamp(path))
+    if key not in _units:
+        with lancret().open(path, parameters={"strands.count": 1}) as groom:
+            _units[key] = (groom.info.cm_per_unit, groom.info.up)
+    return _units[key]
+
+
+def forget() -> None:
+    _units.clear()
+    while _grooms:
+        _grooms.popitem()[1].close()
+
+
+def close() -> None:
+    global _context
+    forget()
+    if _context is not None:
+        _context.close()
+        _context = None
+
+
+def _key(source: Source) -> str:
+    told = hashlib.sha256()
+    arrays = []
+    if source.strands is not None:
+        arrays += [source.strands.points, source.strands.counts]
+    if source.scalp is not None:
+        arrays += [source.scalp.positions, source.scalp.corners, source.scalp.uvs]
+    stamp = _stamp(source.path)
+    told.update(
+        repr((source.path, stamp, source.parameters, source.chunk_strands)).encode()
+    )
+    for array in arrays:
+        told.update(repr(None if array is None else array.shape).encode())
+        if array is not None:
+            told.update(np.ascontiguousarray(array).data)
+    return told.hexdigest()
+
+
+def _stamp(path: str | None) -> tuple[int, ...]:
+    """What changes when a file is written anew."""
+    if path is None or not Path(path).is_file():
+        return ()
+    found = Path(path).stat()
+    return (found.st_mtime_ns, found.st_size)

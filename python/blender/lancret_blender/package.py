@@ -1,0 +1,34 @@
+"""Finds the Python package `lancret`: in this folder, as the zip has it; in the
+environment; or beside `blender/`, as the source tree has it."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from pathlib import Path
+from types import ModuleType
+
+_HERE = Path(__file__).resolve().parent
+
+
+def lancret() -> ModuleType:
+    """The package, found once. Raises ImportError where there is none."""
+    loaded = sys.modules.get("lancret")
+    if loaded is not None:
+        return loaded
+    if (_HERE / "lancret" / "__init__.py").is_file():
+        return _from(_HERE)
+    try:
+        return importlib.import_module("lancret")
+    except ModuleNotFoundError as fault:
+        if fault.name != "lancret":
+            raise
+    return _from(_HERE.parent.parent)
+
+
+def _from(folder: Path) -> ModuleType:
+    sys.path.insert(0, str(folder))
+    try:
+        return importlib.import_module("lancret")
+    finally:
+        sys.path.remove(str(folder))

@@ -1,0 +1,70 @@
+"""Properties > Object > Lancret Hair."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import Any
+
+import bpy
+
+from .settings import is_lancret
+
+
+class OBJECT_PT_lancret(bpy.types.Panel):
+    bl_label = "Lancret Hair"
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "object"
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        return context.object is not None and is_lancret(context.object)
+
+    def draw(self, context: Any) -> None:
+        told, layout = context.object.lancret, self.layout
+        layout.use_property_split = True
+        if told.error:
+            self._error(layout.box(), told.error, context.region.width)
+        row = layout.row()
+        row.operator("object.lancret_update", icon="FILE_REFRESH")
+        row.prop(told, "live", toggle=True)
+        layout.prop(told, "source")
+        if told.source == "FILE":
+            layout.prop(told, "file")
+        else:
+            for guides in told.guides:
+                layout.prop(guides, "object", text="")
+            layout.operator("object.lancret_take")
+        layout.prop(told, "scalp")
+        for names in (
+            ("count", "viewport", "seed"),
+            ("blend", "neighbours"),
+            ("root_width", "tip_width"),
+            ("max_error", "chunk"),
+            ("material",),
+        ):
+            column = layout.column(align=True)
+            for name in names:
+                column.prop(told, name)
+        self._figures(layout.column(align=True), told)
+
+    def _error(self, box: Any, text: str, width: int) -> None:
+        box.alert = True
+        lines = textwrap.wrap(text, max(20, width // 8))
+        for number, line in enumerate(lines):
+            box.label(text=line, icon="BLANK1" if number else "ERROR")
+
+    def _figures(self, column: Any, told: Any) -> None:
+        column.label(text=f"{told.strands:,} of {told.all_strands:,} strands shown")
+        if told.last_frame > told.first_frame:
+            column.label(text=f"Moves in frames {told.first_frame} to {told.last_frame}")
+        if told.end_error > 0:
+            column.label(text=f"Ends are drawn within {told.end_error:.2g} cm")
+
+
+def register() -> None:
+    bpy.utils.register_class(OBJECT_PT_lancret)
+
+
+def unregister() -> None:
+    bpy.utils.unregister_class(OBJECT_PT_lancret)

@@ -1,0 +1,195 @@
+import bpy
+import numpy as np
+from support import InBlender, evaluated, same_bits
+
+from lancret_blender import scene_guides, sources, strands
+from lancret_blender.package import lancret
+
+
+def legacy_curve(name, kind, strands_of_points):
+    data = bpy.data.curves.new(name, "CURVE")
+    data.dimensions = "3D"
+    for points in strands_of_points:
+        spline = data.splines.new(kind)
+        places = spline.bezier_points if kind == "BEZIER" else spline.points
+        places.add(len(points) - len(places))
+        for place, point in zip(places, points):
+            place.co = point if kind == "BEZIER" else (*point, 1)
+    thing = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(thing)
+    return thing
+
+
+def fur(side=5, points=6, length=0.1):
+    """Strands that bend, on a square of the plane z = 0."""
+    along = np.linspace(0, 1, points)
+    bent = np.stack([0.3 * along**2, 0 * along, along], -1) * length
+    return [
+        (bent + [x, y, 0]).astype(np.float32)
+        for x in np.linspace(-0.1, 0.1, side)
+        for y in np.linspace(-0.1, 0.1, side)
+    ]
+
+
+def plane():
+    bpy.ops.mesh.primitive_plane_add(size=0.24)
+    return bpy.context.object
+
+
+def select(active, *others):
+    for one in bpy.context.selected_objects:
+        one.select_set(False)
+    for one in (active, *others):
+        one.select_set(True)
+    bpy.context.view_layer.objects.active = active
+    bpy.context.view_layer.update()
+
+
+class Guides(InBlender):
+    def test_of_polylines_are_their_points(self):
+        given = fur()
+        points, counts = scene_guides.read(legacy_curve("fur", "POLY", given))
+        self.assertTrue(same_bits(points, np.concatenate(given)))
+        self.assertEqual(counts.tolist(), [6] * 25)
+
+    def test_of_hair_curves_are_their_points(self):
+        thing = self.add()
+        self.update(thing)
+        evaluated_thing = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        points, counts = scene_guides.read(evaluated_thing)
+        expected, _, sizes = evaluated(thing)
+        self.assertTrue(same_bits(points, expected))
+        self.assertTrue(np.array_equal(counts, sizes))
+
+    def test_of_bezier_curves_lie_on_them(self):
+        thing = legacy_curve("arc", "BEZIER", [[(0, 0, 0), (1, 0, 1)]])
+        first, second = thing.data.splines[0].bezier_points
+        first.handle_right, second.handle_left = (0, 0, 1), (0, 0, 1)
+        points, counts = scene_guides.read(thing)
+        self.assertEqual(counts.tolist(), [len(points)])
+        t = np.linspace(0, 1, len(points))
+        self.assertLess(np.abs(points[:, 0] - t**3).max(), 1e-6)
+        self.assertLess(np.abs(points[:, 2] - (1 - (1 - t) ** 3)).max(), 1e-6)
+
+    def test_of_nurbs_are_where_blender_draws_them(self):
+        given = [(0, 0, 0), (0, 0, 1), (1, 0, 2), (1, 1, 3), (2, 1, 3), (2, 3, 3)]
+        for ends in (False, True):
+            thing = legacy_curve("nurbs", "NURBS", [given])
+            spline = thing.data.splines[0]
+            spline.use_endpoint_u, spline.order_u = ends, 4
+            spline.points[2].co[3] = 2
+            points, _ = scene_guides.read(thing)
+            mesh = thing.to_mesh()
+            drawn = np.array([vertex.co for vertex in mesh.vertices])
+            middle = (drawn[1:] + drawn[:-1]) / 2
+            near = np.concatenate([drawn, middle])
+            off = np.linalg.norm(points[:, None] - near, axis=-1).min(axis=1)
+            step = np.linalg.norm(np.diff(drawn, axis=0), axis=1).max()
+            self.assertLess(off.max(), step / 3)
+            self.assertLess(np.abs(points[[0, -1]] - drawn[[0, -1]]).max(), 1e-5)
+            thing.to_mesh_clear()
+
+    def test_that_go_round_or_have_one_point_are_left_out(self):
+        thing = legacy_curve("some", "POLY", [fur()[0], fur()[1], fur()[2][:1]])
+        thing.data.splines[1].use_cyclic_u = True
+        self.assertEqual(scene_guides.read(thing)[1].tolist(), [6])
+
+    def test_of_hair_particles_begin_on_the_mesh(self):
+        mesh = plane()
+        mesh.modifiers.new("hair", "PARTICLE_SYSTEM")
+        system = mesh.particle_systems[0].settings
+        system.type, system.count, system.hair_length = "HAIR", 20, 0.1
+        points, counts = scene_guides.read(mesh)
+        self.assertEqual(len(counts), 20)
+        roots = points[np.cumsum(counts) - counts]
+        tips = points[np.cumsum(counts) - 1]
+        self.assertLess(np.abs(roots[:, 2]).max(), 1e-5)
+        self.assertLess(np.abs(tips[:, 2] - 0.1).max(), 0.01)
+
+    def test_and_scalp_of_the_selection_grow_hair_between_them(self):
+        guides, scalp = legacy_curve("fur", "POLY", fur()), plane()
+        scalp.location = guides.location = (1, 2, 3)
+        select(scalp, guides)
+        bpy.ops.object.lancret_add()
+        thing = bpy.context.object
+        told = thing.lancret
+        self.assertEqual(told.error, "")
+        self.assertEqual((told.source, told.scalp), ("SCENE", scalp))
+        self.assertEqual(thing.parent, scalp)
+        told.count, told.viewport = 300, 1
+        self.update(thing)
+        points, _, counts = evaluated(thing)
+        self.assertEqual(len(counts), 300)
+        roots = points[np.cumsum(counts) - counts]
+        tips = points[np.cumsum(counts) - 1]
+        self.assertLess(np.abs(roots[:, 2]).max(), 1e-5)
+        self.assertLess(np.abs(roots[:, :2]).max(), 0.121)
+        # Guides are 0.1 high and lean 0.03; fitted helices are within a tenth of that.
+        self.assertLess(np.abs(tips - roots - [0.03, 0, 0.1]).max(), 0.01)
+        place = np.array(thing.matrix_world.translation)
+        self.assertLess(np.abs(place - (1, 2, 3)).max(), 1e-6)
+
+    def test_are_handed_on_where_they_stand(self):
+        guides = legacy_curve("fur", "POLY", fur())
+        guides.location, guides.rotation_euler = (0, 0, 0.5), (0, 0, np.pi / 2)
+        thing = self.add()
+        told = thing.lancret
+        told.source = "SCENE"
+        told.guides.add().object = guides
+        bpy.context.view_layer.update()
+        source = sources.source_of(thing, self.scene)
+        turned = np.concatenate(fur())[:, [1, 0, 2]] * [-1, 1, 1] + [0, 0, 0.5]
+        self.assertLess(np.abs(source.strands.points - turned).max(), 1e-6)
+        self.assertEqual((source.strands.up, source.strands.metres_per_unit), ("Z", 1))
+
+
+class Scalp(InBlender):
+    def test_of_a_file_is_not_what_happens_to_be_selected(self):
+        select(plane())
+        thing = self.add()
+        self.assertIsNone(thing.lancret.scalp)
+        self.assertIsNone(thing.parent)
+        self.assertEqual(thing.lancret.error, "")
+
+    def test_of_a_file_is_given_in_the_files_axes_and_units(self):
+        thing, scalp = self.add(), plane()
+        scalp.location = (0, 0, 0.2)
+        bpy.context.view_layer.update()
+        thing.lancret.scalp = scalp
+        mesh = sources.source_of(thing, self.scene).scalp
+        self.assertEqual(len(mesh.corners), 2)
+        self.assertLess(np.abs(mesh.positions[:, 1] - 20).max(), 1e-4)
+        self.assertLess(np.abs(np.abs(mesh.positions[:, [0, 2]]) - 12).max(), 1e-4)
+        self.assertEqual(mesh.uvs.shape, (2, 3, 2))
+        corners = mesh.positions[mesh.corners[0]]
+        normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+        self.assertGreater(normal[1], 0)
+
+
+class Ends(InBlender):
+    def test_are_the_curves_own_but_for_the_error_that_is_told(self):
+        with lancret().open(self.groom) as groom:
+            curves = groom.expand(basis=strands.BASIS, unit=1)
+        drawn = strands.drawn(curves, "Y", (), 24)
+        self.assertGreater(drawn.end_error, 0)
+        t = np.linspace(0, 1, 33)[:, None]
+        worst = 0.0
+        for number in range(len(curves)):
+            p = curves.strand(number)[:4, :3].astype(np.float64)
+            doubled = p.copy()
+            doubled[0] = p[1]
+            ours, cycles = catmull_rom(p, t), catmull_rom(doubled, t)
+            along = (p[2] - p[1]) / np.linalg.norm(p[2] - p[1])
+            off = cycles - ours
+            off -= np.outer(off @ along, along)
+            worst = max(worst, np.linalg.norm(off, axis=1).max())
+        self.assertLessEqual(worst, drawn.end_error)
+
+
+def catmull_rom(p, t):
+    return (
+        p[1]
+        + t * (p[2] - p[0]) / 2
+        + t**2 * (p[0] - 2.5 * p[1] + 2 * p[2] - p[3] / 2)
+        + t**3 * (-p[0] + 3 * p[1] - 3 * p[2] + p[3]) / 2
+    )

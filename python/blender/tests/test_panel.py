@@ -1,0 +1,68 @@
+import bpy
+from support import InBlender
+
+from lancret_blender import later, panel
+
+
+class Layout:
+    """Stands in for Blender's: keeps texts, and asks for each property that is drawn."""
+
+    def __init__(self, texts):
+        self.texts = texts
+
+    def part(self, *_, **__):
+        return Layout(self.texts)
+
+    box = row = column = part
+
+    def label(self, text="", icon="NONE"):
+        self.texts.append(text)
+
+    def prop(self, owner, name, **_):
+        self.texts.append(owner.bl_rna.properties[name].name)
+
+    def operator(self, name, **_):
+        self.texts.append(name)
+
+
+class Panel(InBlender):
+    def texts(self):
+        class Drawn:
+            layout = Layout([])
+            _error = panel.OBJECT_PT_lancret._error
+            _figures = panel.OBJECT_PT_lancret._figures
+
+        class Context:
+            object = bpy.context.object
+            region = type("Region", (), {"width": 4000})
+
+        self.assertTrue(panel.OBJECT_PT_lancret.poll(Context))
+        panel.OBJECT_PT_lancret.draw(Drawn(), Context)
+        return Drawn.layout.texts
+
+    def test_shows_values_and_figures(self):
+        thing = self.add()
+        texts = self.texts()
+        for name in ("Strands", "Viewport share", "Scalp", "Blend", "Seed", "File"):
+            self.assertIn(name, texts)
+        self.assertIn(f"{thing.lancret.strands} of 400 strands shown", texts)
+
+    def test_shows_what_is_at_fault(self):
+        thing = self.add(self.folder / "none.toml")
+        self.assertTrue(thing.lancret.error)
+        self.assertIn(thing.lancret.error, self.texts())
+
+    def test_is_not_there_for_other_objects(self):
+        bpy.ops.mesh.primitive_plane_add()
+        self.assertFalse(panel.OBJECT_PT_lancret.poll(bpy.context))
+
+
+class Live(InBlender):
+    def test_update_of_the_timer_grows_anew(self):
+        thing = self.add()
+        thing.lancret.count = 150
+        self.assertEqual(thing.lancret.all_strands, 400)
+        later._names.update((thing.name, "another that is gone"))
+        self.assertIsNone(later._tick())
+        self.assertEqual(thing.lancret.all_strands, 150)
+        self.assertFalse(later._names)

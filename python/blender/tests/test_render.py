@@ -1,0 +1,170 @@
+import bpy
+import numpy as np
+from support import GROOM, InBlender, assert_same, evaluated, of_the_abi, simulate
+
+from lancret_blender import grow, handlers
+
+MOTION = """
+[motion]
+pivot = [0, -8, -2]
+keys = [{ frame = 1 }, { frame = 4, turn = [0, 30, 0] }]
+"""
+
+
+def alpha_of(path):
+    picture = bpy.data.images.load(str(path))
+    alpha = np.array(picture.pixels[:])[3::4]
+    bpy.data.images.remove(picture)
+    return alpha
+
+
+class Render(InBlender):
+    def seen(self):
+        """A list that gets what each frame is rendered of, in the render itself."""
+        found = []
+
+        def look(scene, *_):
+            for one in scene.objects:
+                if one.type == "CURVES":
+                    found.append((scene.frame_current, *self.drawn(one)))
+
+        bpy.app.handlers.render_post.append(look)
+        self.addCleanup(bpy.app.handlers.render_post.remove, look)
+        return found
+
+    def drawn(self, thing):
+        mesh = thing.lancret.points.data
+        points = np.empty((len(mesh.vertices), 3), np.float32)
+        mesh.vertices.foreach_get("co", points.ravel())
+        radii = np.empty(len(points), np.float32)
+        mesh.attributes["radius"].data.foreach_get("value", radii)
+        return points, radii, len(mesh.vertices) - len(mesh.edges)
+
+    def assert_whole(self, found, expected):
+        points, radii, count = found
+        counts = expected[2] if count == len(expected[2]) else [count]
+        assert_same(self, (points, radii, counts), expected)
+
+    def test_has_all_strands_and_the_viewport_its_own_again(self):
+        thing = self.add()
+        before = evaluated(thing)
+        meshes = len(bpy.data.meshes)
+        self.small_render()
+        seen = self.seen()
+        bpy.ops.render.render()
+        self.assertEqual(len(seen), 1)
+        self.assert_whole(seen[0][1:], of_the_abi(self.groom))
+        assert_same(self, evaluated(thing), before)
+        self.assertEqual(len(bpy.data.meshes), meshes)
+        self.assertFalse(handlers.rendering())
+
+    def test_draws_what_the_viewport_does_not(self):
+        thing = self.add()
+        thing.lancret.viewport = 0.0025
+        thing.lancret.root_width = thing.lancret.tip_width = 0.4
+        self.update(thing)
+        self.assertLess(thing.lancret.strands, 10)
+        self.view_from_the_front()
+        every = self.covered()
+        self.assertGreater(every, 0.02)
+        thing.lancret.count = 20
+        few = self.covered()
+        self.assertTrue(0 < few < every / 4, (few, every))
+        thing.lancret.count, thing.lancret.viewport = 0, 1
+        self.update(thing)
+        self.assertEqual(self.covered(), every)
+
+    def view_from_the_front(self):
+        self.small_render()
+        self.scene.render.resolution_x = self.scene.render.resolution_y = 64
+        self.scene.render.film_transparent = True
+        self.scene.cycles.samples = 4
+        self.scene.camera.location = (0, -1.5, 0)
+        self.scene.camera.rotation_euler = (np.pi / 2, 0, 0)
+
+    def covered(self):
+        """The share of the picture that hair covers."""
+        bpy.ops.render.render(write_still=True)
+        return float(alpha_of(self.scene.render.filepath).mean())
+
+    def test_goes_on_with_the_viewports_where_the_groom_is_at_fault(self):
+        thing = self.add()
+        before = evaluated(thing)
+        self.groom.write_text("[strands]\ncount = 'many'\n")
+        self.small_render()
+        bpy.ops.render.render()
+        self.assertIn("groom.toml:2", thing.lancret.error)
+        assert_same(self, evaluated(thing), before)
+
+
+class Cache(InBlender):
+    def setUp(self):
+        super().setUp()
+        moving = self.folder / "moving.toml"
+        moving.write_text(GROOM + MOTION)
+        self.cache = self.folder / "moving.h5"
+        simulate(moving, "1-4", self.cache)
+
+    def test_is_grown_anew_at_another_frame(self):
+        self.scene.frame_set(1)
+        thing = self.add(self.cache)
+        thing.lancret.viewport = 1
+        self.update(thing)
+        self.assertEqual((thing.lancret.first_frame, thing.lancret.last_frame), (1, 4))
+        places = []
+        for frame in (1, 3, 4, 2):
+            self.scene.frame_set(frame)
+            places.append(evaluated(thing)[0])
+            expected = of_the_abi(self.cache, density=1, times=frame)
+            assert_same(self, evaluated(thing), expected)
+        self.assertGreater(np.abs(places[0] - places[1]).max(), 0.01)
+        self.scene.frame_set(2, subframe=0.5)
+        expected = of_the_abi(self.cache, density=1, times=2.5)
+        assert_same(self, evaluated(thing), expected)
+        self.scene.frame_set(40)  # stands still after its last
+        assert_same(self, evaluated(thing), of_the_abi(self.cache, density=1, times=4))
+
+    def test_is_rendered_at_each_frame_of_an_animation(self):
+        thing = self.add(self.cache)
+        self.small_render()
+        self.scene.frame_start, self.scene.frame_end = 2, 4
+        self.scene.render.filepath = str(self.folder / "frame")
+        seen = Render.seen(self)
+        bpy.ops.render.render(animation=True)
+        self.assertEqual([one[0] for one in seen], [2, 3, 4])
+        for frame, *found in seen:
+            Render.assert_whole(self, found, of_the_abi(self.cache, times=frame))
+        self.assertEqual(len(evaluated(thing)[2]), thing.lancret.strands)
+
+    drawn = Render.drawn
+
+    def test_is_drawn_at_each_frame_of_an_animation(self):
+        thing = self.add(self.cache)
+        thing.lancret.root_width = thing.lancret.tip_width = 0.4
+        Render.view_from_the_front(self)
+        self.scene.frame_start, self.scene.frame_end = 2, 4
+        self.scene.render.filepath = str(self.folder / "frame")
+        bpy.ops.render.render(animation=True)
+        second, last = (alpha_of(self.folder / f"frame000{n}.png") for n in (2, 4))
+        self.scene.frame_set(4)
+        self.scene.render.filepath = str(self.folder / "still.png")
+        bpy.ops.render.render(write_still=True)
+        self.assertGreater(np.abs(second - last).max(), 0.2)
+        self.assertTrue(np.array_equal(last, alpha_of(self.folder / "still.png")))
+
+    def test_is_blurred_by_velocities(self):
+        thing = self.add(self.cache)
+        self.scene.render.use_motion_blur = True
+        self.scene.render.motion_blur_shutter = 0.5
+        self.scene.frame_set(2)
+        mesh = bpy.data.meshes.new("full")
+        self.assertTrue(grow.in_full(thing, self.scene, mesh))
+        rates = np.empty((len(mesh.vertices), 3), np.float32)
+        mesh.attributes["velocity"].data.foreach_get("vector", rates.ravel())
+        before, after = (of_the_abi(self.cache, times=t)[0] for t in (1.75, 2.25))
+        moved = (after - before).astype(np.float64)
+        # Frames a second, over the half frame between. Floats of coordinates below 0.5 are
+        # off by 2^-26 each, two of them in a difference, rounded once more by the rate.
+        exact = moved * 24 / 0.5
+        self.assertLess(np.abs(rates - exact).max(), 48 * 4 * 2**-26)
+        self.assertGreater(np.abs(rates).max(), 0.1)
