@@ -34,7 +34,8 @@ Vec3f place_of(const ChunkedGroom& groom, std::uint32_t child) {
     return scalp_position(*scalp, groom.places.on_scalp[child]).cast<float>();
 }
 
-Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk, double density) {
+Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk, double density,
+                   const StrandClasses& classes) {
     const Groom& own = groom.generator.groom;
     const GroomGuides& source = groom.generator.source;
     Binding out = bind_children(
@@ -42,11 +43,12 @@ Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk, double density)
         pruned_roots(own, source, groom.places, groom.chunks.of(chunk), density));
     if (own.expand.has_faces())
         out.faces = rest_faces(out, groom.generator.profiles, own.expand.blend);
-    return in_class_order(std::move(out), groom.generator.classes);
+    return in_class_order(std::move(out), classes);
 }
 
 Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk) {
-    return bind_chunk(groom, chunk, groom.generator.groom.density);
+    return bind_chunk(groom, chunk, groom.generator.groom.density,
+                      groom.generator.classes);
 }
 
 Curves expand_chunk(const ChunkedGroom& groom, std::size_t chunk) {

@@ -26,12 +26,13 @@ ChunkedGroom make_chunked_groom(const Groom& groom, std::uint32_t most = kStrand
 /// Where a child stands at rest, cm.
 Vec3f place_of(const ChunkedGroom& groom, std::uint32_t child);
 
-/// The children of a chunk, bound; of fewer than all where `density` is below 1. Bit for
-/// bit those of make_generator. For another time pose it by pose_binding and take the
-/// profiles of that time.
-Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk, double density);
+/// The children of a chunk, bound, in the order of `classes`; of fewer than all where
+/// `density` is below 1. Bit for bit those of make_generator. For another time pose it by
+/// pose_binding and take the profiles of that time.
+Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk, double density,
+                   const StrandClasses& classes);
 
-/// The same at the groom's own density.
+/// The same at the groom's own density, in its own classes.
 Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk);
 
 /// The strands of a chunk, at rest, at the groom's own density.

@@ -74,6 +74,24 @@ void grow_fine(const Binding& binding, const GuideProfiles<float>& profiles, Ble
 struct CoarseChild {
     std::vector<HelixState<float>> states;
     std::vector<Point4f> points, tangents;
+    std::vector<Point4f> places;  ///< of a Hermite curve that `points` are made of
+
+    /// `states` as the control points of a curve.
+    void emit(float ds, const ExpandSettings& settings) {
+        const std::size_t n = states.size() - 1;
+        points.resize(control_points_of(settings.basis, std::uint32_t(n)));
+        tangents.resize(n + 1);
+        if (settings.basis == CurveBasis::bspline) {
+            bspline_points(states, ds, Vec3f::Zero(), {}, points,
+                           ends_of(settings.blend));
+        } else if (settings.basis == CurveBasis::hermite) {
+            hermite_points(states, ds, Vec3f::Zero(), {}, points, tangents);
+        } else {
+            places.resize(n + 1);
+            hermite_points(states, ds, Vec3f::Zero(), {}, places, tangents);
+            points_of_hermite(settings.basis, places, tangents, points);
+        }
+    }
 };
 
 /// What a class makes of a child.
@@ -90,14 +108,7 @@ Change change_of(const FineChild& fine, const Binding& binding,
     const float ds = fine.length / float(n);
     room.states.resize(n + 1);
     synthesize_child<float>(binding, profiles, settings.blend, child, room.states);
-    room.points.resize(control_points_of(settings.basis, std::uint32_t(n)));
-    room.tangents.resize(room.points.size());
-    if (settings.basis == CurveBasis::hermite) {
-        hermite_points(room.states, ds, Vec3f::Zero(), {}, room.points, room.tangents);
-    } else {
-        bspline_points(room.states, ds, Vec3f::Zero(), {}, room.points,
-                       ends_of(settings.blend));
-    }
+    room.emit(ds, settings);
     Change out;
     float chords = 0;
     Vec3f before = Vec3f::Zero();

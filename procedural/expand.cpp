@@ -47,7 +47,8 @@ void make_room(const Binding& binding, std::span<const Part> parts,
     fit(out.points, points);
     fit(out.tangents, hermite || settings.directions ? points : 0);
     fit(out.normals, faces ? points : 0);
-    fit(out.segments, is_of_hermite(settings.basis) ? 0 : out.segment_count());
+    const bool numbered = settings.segments && !is_of_hermite(settings.basis);
+    fit(out.segments, numbered ? out.segment_count() : 0);
 }
 
 /// Where the control points of strands from `first` on go.
@@ -138,9 +139,11 @@ class PartExpansion {
         Point4f* const tangents =
             basis_ == CurveBasis::hermite ? out_.tangents.data() + at : nullptr;
         fill({first, own_.points, out_.points.data() + at, tangents}, last, past_caches_);
-        number_segments(at, last - first, own_.points, own_.segments,
-                        out_.segments.data() + own_.segment + before * own_.segments,
-                        past_caches_);
+        if (settings_.segments) {
+            number_segments(at, last - first, own_.points, own_.segments,
+                            out_.segments.data() + own_.segment + before * own_.segments,
+                            past_caches_);
+        }
         if (basis_ == CurveBasis::hermite || out_.tangents.size() == 0) return;
         for (std::size_t i = first; i < last; ++i) {
             bspline_directions(strand(out_.points, i), strand(out_.tangents, i));

@@ -17,7 +17,8 @@ struct ExpandSettings {
     Blend blend = Blend::detail;
     CurveBasis basis = CurveBasis::bspline;
     std::optional<CurveShape> shape{};  ///< none: flat, for who draws them to change
-    bool faces = false;  ///< whether to give the normals of strands that are no ribbons
+    bool faces = false;    ///< whether to give the normals of strands that are no ribbons
+    bool segments = true;  ///< whether to number the segments of who traces rays
     bool directions = false;  ///< whether to give the tangents of bases without them
     Taper taper{};
     std::uint32_t chunk = 256;  ///< strands that one task expands at a time, >= 1

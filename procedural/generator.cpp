@@ -35,6 +35,21 @@ ClassedGuides rest_guides(const Generator& generator) {
                           generator.binding.guide_normals, generator.groom.expand.blend);
 }
 
+Eigen::AlignedBox3f guide_box(const Generator& generator) {
+    const GuideProfiles<float>& profiles = generator.profiles;
+    const float scale = generator.groom.bind.length_scale;
+    Eigen::AlignedBox3f box;
+    const std::size_t places = std::size_t(profiles.count) + 1;
+    for (std::size_t g = 0; g < profiles.size(); ++g) {
+        const Vec3f root = generator.source.guides.root_positions[g].cast<float>();
+        for (std::size_t i = 0; i < places; ++i) {
+            const Vec3f local = scale * profiles.positions[g * places + i];
+            box.extend(root + profiles.root_frames[g] * local);
+        }
+    }
+    return box;
+}
+
 Generator make_generator(const Groom& groom, const StageCallback& stage) {
     Generator out;
     out.groom = groom;

@@ -20,6 +20,9 @@ struct Generator {
 /// The guides at rest as `expand` reads them.
 ClassedGuides rest_guides(const Generator& generator);
 
+/// The box of the guides at rest: what a groom means to be, whatever a stray child does.
+Eigen::AlignedBox3f guide_box(const Generator& generator);
+
 /// Loads, chooses and fits guides, places and binds children. Throws InputError.
 Generator make_generator(const Groom& groom, const StageCallback& stage = {});
 

@@ -156,6 +156,13 @@ LANCRET_API lancret_status lancret_open(lancret_context* context,
                                         size_t error_size);
 LANCRET_API void lancret_close(lancret_groom* groom);
 
+/* How strands are meant to be drawn. */
+enum {
+    LANCRET_ANY_SHAPE = 0, /* as the host likes */
+    LANCRET_FLAT = 1,      /* bands that face the viewer */
+    LANCRET_ROUND = 2,
+    LANCRET_RIBBON = 3 /* bands with a face of their own: LANCRET_NORMALS */
+};
 typedef struct lancret_info {
     size_t size;
     lancret_u32 chunks;
@@ -168,9 +175,32 @@ typedef struct lancret_info {
     float up[3];
     double load_seconds, fit_seconds, bind_seconds;
     size_t bytes; /* kept while the groom is open, for all that share it */
+    int frames;   /* of its cache; 0: nothing moves */
+    int basis;    /* that the groom asks for: LANCRET_BSPLINE or LANCRET_HERMITE */
+    int shape;    /* LANCRET_ANY_SHAPE, ... */
+    float box[6]; /* of the guides at rest, cm: what to frame; children may leave it */
 } lancret_info;
 LANCRET_API lancret_status lancret_get_info(const lancret_groom* groom,
                                             lancret_info* info);
+
+/* What guides were fitted to, and how well, as JSON: {groom_strands, guides, segments,
+ * blend, fit.{rms_over_length_median, _p95, _max}, roots.{snapped, largest_snap_cm}}. */
+typedef void (*lancret_text_sink)(void* user, const char* text);
+LANCRET_API lancret_status lancret_describe(const lancret_groom* groom,
+                                            lancret_text_sink sink, void* user);
+
+/* Takes the head at some time, cm; what it points to is gone when it returns. Another
+ * status than LANCRET_OK is passed on. */
+typedef lancret_status (*lancret_mesh_sink)(void* user, const lancret_mesh* mesh);
+/* What is seen of the head at a time, handed over once; without a head no vertices. */
+LANCRET_API lancret_status lancret_get_head(const lancret_groom* groom, double time,
+                                            lancret_mesh_sink sink, void* user);
+
+/* Whether guides and head are at all of these times just where they are at the first: the
+ * strands of one time are those of all. */
+LANCRET_API lancret_status lancret_is_still(const lancret_groom* groom,
+                                            const double* times, size_t time_count,
+                                            int* still);
 
 /* ---- chunks --------------------------------------------------------------------- */
 
@@ -189,10 +219,12 @@ typedef struct lancret_options {
     size_t size;
     const double* times; /* [time_count] frames, parts of them too, held before the first
                           * and after the last; 0 of them: the first frame, or rest */
-    size_t time_count;   /* at most 64 */
+    size_t time_count;   /* at most 256 */
     int basis;           /* LANCRET_BSPLINE, ... */
     float max_error;     /* that the curves may be off the strand, 1e-4 cm at least, as
-                          * measured on thousands of strands; 0: the groom's own */
+                          * measured on thousands of strands; 0: the groom's own. Strands
+                          * that need fewer points have fewer, but for those with normals
+                          * and where the groom says strands.adapt = false */
     double density; /* share of the strands that are grown, wider; 0: the groom's own */
     double pixels;  /* that the chunk covers, for: */
     double strands_a_pixel; /* at most so many; 0: no level of detail */
@@ -258,6 +290,17 @@ LANCRET_API lancret_status lancret_chunk_write(const lancret_chunk* bound,
                                                const lancret_curves* buffers);
 LANCRET_API void lancret_chunk_close(lancret_chunk* bound);
 
+/* What binding had to work around: numbers of the chunk's strands. */
+typedef struct lancret_chunk_info {
+    size_t size;
+    lancret_u32 strands;
+    size_t bytes; /* kept while the chunk is open */
+    lancret_u32 no_facing_guide, no_guide_in_reach, no_guide_in_sight, no_guide_in_region,
+        opposed_root_frames, straight_guides;
+} lancret_chunk_info;
+LANCRET_API lancret_status lancret_get_chunk_info(const lancret_chunk* bound,
+                                                  lancret_chunk_info* info);
+
 /* ---- proof and figures ---------------------------------------------------------- */
 
 typedef struct lancret_check {
@@ -273,6 +316,21 @@ LANCRET_API lancret_status lancret_check_chunk(const lancret_groom* groom,
                                                lancret_u32 chunk,
                                                const lancret_options* options,
                                                lancret_check* check);
+
+/* Figures of a chunk's strands at one of its times, by its place among them, strand after
+ * strand: of each strand one; or one at each end of its n curve segments, n + 1; or one
+ * in each of these, n. What is not a finite number is the largest float. Frames that are
+ * carried without twist have no torsion, and a groom without regions none:
+ * LANCRET_BAD_INPUT. */
+enum {
+    LANCRET_LENGTH_ERROR = 0,  /* a strand: relative, of what was synthesised */
+    LANCRET_ORTHOGONALITY = 1, /* an end: |R^T R - 1| of the frame */
+    LANCRET_CURVATURE = 2,     /* a segment: 1/cm */
+    LANCRET_TORSION = 3,       /* a segment: 1/cm, right-handed above 0 */
+    LANCRET_REGION = 4         /* a strand: its region's number */
+};
+LANCRET_API lancret_status lancret_chunk_figures(const lancret_chunk* bound, int figure,
+                                                 size_t time, float* values);
 
 /* The guides: `segments` helices each, roots first. Pointers live as long as the groom.
  */
@@ -291,7 +349,6 @@ LANCRET_API lancret_status lancret_get_guides(const lancret_groom* groom,
 
 /* Leave-out measurement of the groom's strands, each blend's figures as JSON, in the form
  * of `lancret evaluate --json`. Guides are as many as the groom says, else 5 %. */
-typedef void (*lancret_text_sink)(void* user, const char* text);
 LANCRET_API lancret_status lancret_evaluate(lancret_context* context,
                                             const lancret_source* source,
                                             lancret_text_sink sink, void* user,

@@ -45,13 +45,15 @@ void each_measured_frame(const Generator& generator, const GroomTimes& times,
     }
 }
 
+}  // namespace
+
 StrandClasses classes_in_time(const Generator& generator, const GroomTimes& times,
-                              int finest) {
-    const Groom& groom = generator.groom;
-    if (!groom.adapts()) return {{finest}};
+                              CurveBasis basis, double tolerance, int finest) {
+    ExpandSettings settings = generator.groom.expand;
+    settings.basis = basis;
     StrandClasses all = coarsest_classes(generator.source.guides, finest);
     const auto refine = [&](const Binding& sample, const Guides& guides) {
-        refine_classes(all, sample, guides, groom.tolerance, groom.expand);
+        refine_classes(all, sample, guides, tolerance, settings);
     };
     refine(generator.sample, generator.source.guides);
     each_measured_frame(generator, times,
@@ -60,8 +62,6 @@ StrandClasses classes_in_time(const Generator& generator, const GroomTimes& time
                         });
     return used_classes(all);
 }
-
-}  // namespace
 
 int intervals_in_time(const Generator& generator, const GroomTimes& times,
                       CurveBasis basis, double tolerance, int most) {
@@ -92,7 +92,10 @@ RestPlaces prepare_frames(Generator& generator, const GroomTimes& times) {
             generator.profiles =
                 guide_profiles<float>(generator.source.guides, intervals);
         }
-        generator.classes = classes_in_time(generator, times, intervals);
+        generator.classes = groom.adapts()
+                                ? classes_in_time(generator, times, groom.expand.basis,
+                                                  groom.tolerance, intervals)
+                                : StrandClasses{{intervals}};
         generator.binding =
             in_class_order(std::move(generator.binding), generator.classes);
     }
@@ -138,6 +141,41 @@ FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
         classed_guides(out.guides, generator.classes, generator.binding.guide_normals,
                        generator.groom.expand.blend);
     return out;
+}
+
+namespace {
+
+bool same(const Guides& a, const Guides& b) {
+    return a.segments == b.segments && a.root_positions == b.root_positions &&
+           a.root_frames == b.root_frames && a.segment_lengths == b.segment_lengths &&
+           a.curvatures == b.curvatures;
+}
+
+bool same(const ScalpPose& a, const ScalpPose& b) {
+    if (a.index() != b.index()) return false;
+    if (const auto* mesh = std::get_if<TriangleMesh>(&a)) {
+        return mesh->positions == std::get<TriangleMesh>(b).positions;
+    }
+    const auto& x = std::get<RigidPose>(a);
+    const auto& y = std::get<RigidPose>(b);
+    return x.rotation == y.rotation && x.translation == y.translation;
+}
+
+}  // namespace
+
+bool is_still(const GroomTimes& times, std::span<const MeshPoint> guide_places,
+              std::span<const double> frames) {
+    if (!times.moves() || frames.empty()) return true;
+    const auto pose_at = [&](double frame) {
+        return times.pose_at ? times.pose_at(frame) : ScalpPose();
+    };
+    const ScalpPose pose = pose_at(frames[0]);
+    const Guides guides = guides_at(times, guide_places, frames[0]);
+    return std::ranges::all_of(frames.subspan(1), [&](double frame) {
+        return frame == frames[0] ||
+               (same(pose, pose_at(frame)) &&
+                same(guides, guides_at(times, guide_places, frame)));
+    });
 }
 
 }  // namespace lancret

@@ -42,6 +42,11 @@ RestPlaces prepare_frames(Generator& generator, const GroomTimes& times);
 int intervals_in_time(const Generator& generator, const GroomTimes& times,
                       CurveBasis basis, double tolerance, int most);
 
+/// How finely the children of each guide are cut so that curves of `basis` stay within
+/// `tolerance` cm, of at most `finest` intervals; measured at the same times.
+StrandClasses classes_in_time(const Generator& generator, const GroomTimes& times,
+                              CurveBasis basis, double tolerance, int finest);
+
 /// Brings `generator`'s binding to a frame. `rest` is what the binding was before the
 /// first frame. Where no motion is known, the scalp stays at rest. Throws InputError.
 FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
@@ -51,5 +56,10 @@ FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
 /// how the scalp moves, the roots follow it: those at `guide_places`. Throws InputError.
 Guides guides_at(const GroomTimes& times, std::span<const MeshPoint> guide_places,
                  double frame);
+
+/// Whether guides and scalp are at all `frames` just where they are at the first of them.
+/// Throws InputError.
+bool is_still(const GroomTimes& times, std::span<const MeshPoint> guide_places,
+              std::span<const double> frames);
 
 }  // namespace lancret

@@ -14,6 +14,7 @@
 #include "guides/errors.h"
 #include "procedural/bind_report.h"
 #include "procedural/density.h"
+#include "procedural/fit_report.h"
 #include "procedural/groom_source.h"
 #include "tools/progress.h"
 #include "tools/quiet_stderr.h"
@@ -200,14 +201,8 @@ void tell_warnings(const Generator& generator) {
     for (const std::string& warning : generator.source.warnings) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }
-    if (generator.source.snapped_roots > 0) {
-        fmt::print(
-            stderr,
-            "lancret: {} of {} guide roots were off the scalp and were put on it; the "
-            "farthest moved {:.3f} cm\n",
-            generator.source.snapped_roots, generator.source.guides.size(),
-            generator.source.largest_snap);
-    }
+    const std::string roots = roots_line(generator.source);
+    if (!roots.empty()) fmt::print(stderr, "lancret: warning: {}\n", roots);
 }
 
 Generator run_generator(const Groom& groom) {

@@ -6,6 +6,7 @@
 
 #include "guides/atomic_file.h"
 #include "procedural/bind_report.h"
+#include "procedural/fit_report.h"
 
 namespace lancret {
 
@@ -15,32 +16,10 @@ std::size_t peak_rss() {
     return std::size_t(usage.ru_maxrss) * 1024;
 }
 
-namespace {
-
-double quantile(std::vector<double> values, double share) {
-    if (values.empty()) return 0;
-    const auto nth = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-    std::ranges::nth_element(values, nth);
-    return *nth;
-}
-
-}  // namespace
-
 nlohmann::json fit_stats(const GroomGuides& source) {
-    std::vector<double> rms;
-    for (const FitReport& fit : source.fits) rms.push_back(fit.rms / fit.length);
-    return {
-        {"groom_strands", source.groom_strands},
-        {"guides", source.guides.size()},
-        {"segments", source.guides.segments},
-        {"seconds", {{"load", source.seconds.load}, {"fit", source.seconds.fit}}},
-        {"fit",
-         {{"rms_over_length_median", quantile(rms, 0.5)},
-          {"rms_over_length_p95", quantile(rms, 0.95)},
-          {"rms_over_length_max", quantile(rms, 1)}}},
-        {"roots",
-         {{"snapped", source.snapped_roots}, {"largest_snap_cm", source.largest_snap}}},
-    };
+    nlohmann::json stats = fit_json(source);
+    stats["seconds"] = {{"load", source.seconds.load}, {"fit", source.seconds.fit}};
+    return stats;
 }
 
 nlohmann::json generator_stats(const Generator& g) {

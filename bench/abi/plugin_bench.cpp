@@ -23,18 +23,14 @@ double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 void straight(benchmark::State& run) {
     GroomSource source;
     source.text = kGroom;
-    Groom alike = read_groom_source(source).groom;
-    alike.adapt = false;  // as through the interface
-    const ChunkedGroom groom = make_chunked_groom(alike);
+    const ChunkedGroom groom = make_chunked_groom(read_groom_source(source).groom);
     const Generator& generator = groom.generator;
-    const KernelGuides guides =
-        kernel_guides(generator.profiles, generator.binding.guide_normals,
-                      generator.groom.expand.blend);
+    const ClassedGuides guides = rest_guides(generator);
     Curves curves;
     for (auto _ : run) {
         for (std::size_t c = 0; c < groom.chunks.size(); ++c) {
-            const Binding binding = bind_chunk(groom, c, 1);
-            expand(binding, generator.profiles, guides, generator.groom.expand, curves);
+            const Binding binding = bind_chunk(groom, c, 1, generator.classes);
+            expand(binding, guides, generator.groom.expand, curves);
             benchmark::DoNotOptimize(curves.points.data());
         }
     }

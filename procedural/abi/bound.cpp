@@ -13,13 +13,13 @@ namespace {
 /// By the roots alone, wherever the scalp carries them.
 ChunkBound reach_of(const Prepared& groom, std::uint32_t chunk, const Request& request) {
     const Generator& generator = groom.generator();
-    BoundChunk roots{request, {}};
+    BoundChunk roots{request, {}, {}};
     roots.binding.roots = child_roots(generator.source, groom.groom().places,
                                       groom.groom().chunks.of(chunk));
     roots.binding.guide_normals = generator.source.normals;
     Eigen::AlignedBox3f box;
     for (const double frame : request.frames) {
-        const auto pose = groom.pose(frame, request.intervals);
+        const auto pose = groom.pose(frame, request.classes);
         const Binding posed =
             groom.times().moves() ? at_pose(groom, roots, *pose) : roots.binding;
         for (const Vec3f& root : posed.roots.positions) box.extend(root);
@@ -27,8 +27,8 @@ ChunkBound reach_of(const Prepared& groom, std::uint32_t chunk, const Request& r
     }
     const float longest =
         std::ranges::max(generator.profiles.lengths) * generator.groom.bind.length_scale;
-    return reach_bound(box, longest, request.intervals, settings_of(groom, request),
-                       request.density);
+    return reach_bound(box, longest, request.classes->counts.back(),
+                       settings_of(groom, request), request.density);
 }
 
 ChunkBound tight_bound(const Prepared& groom, const BoundChunk& bound) {
@@ -36,7 +36,7 @@ ChunkBound tight_bound(const Prepared& groom, const BoundChunk& bound) {
     const ExpandSettings settings = settings_of(groom, request);
     ChunkBound out;
     for (const double frame : request.frames) {
-        const auto pose = groom.pose(frame, request.intervals);
+        const auto pose = groom.pose(frame, request.classes);
         const Binding posed =
             groom.times().moves() ? at_pose(groom, bound, *pose) : bound.binding;
         out.extend(chunk_bound(posed, pose->classed, settings));

@@ -38,11 +38,11 @@ void scale_points(std::span<Point4f> points, float scale) {
     for (Point4f& p : points) p = {p.x * scale, p.y * scale, p.z * scale, p.w * scale};
 }
 
-void write_time(const Prepared& groom, const Request& request, const Binding& posed,
-                const GuidePose& pose, const lancret_curves& out, std::size_t time,
-                Workspace& workspace) {
-    const std::size_t points = sizes_of(request, posed).points;
+void write_time(const Prepared& groom, const Request& request, std::size_t points,
+                const Binding& posed, const GuidePose& pose, const lancret_curves& out,
+                std::size_t time, Workspace& workspace) {
     ExpandSettings settings = settings_of(groom, request);
+    settings.segments = false;
     const bool hermite = request.basis == LANCRET_HERMITE;
     settings.directions = !hermite && out.tangents && out.tangents[time];
     Curves curves;
@@ -52,10 +52,6 @@ void write_time(const Prepared& groom, const Request& request, const Binding& po
     }
     if (settings.has_faces()) {
         curves.normals = target(out.normals, time, points, workspace);
-    }
-    if (!is_of_hermite(request.curve)) {
-        curves.segments =
-            over<std::uint32_t>(workspace, posed.size() * std::size_t(request.intervals));
     }
     expand(posed, pose.classed, settings, curves);
     scale_points(curves.points.span(), float(request.scale));
@@ -85,9 +81,10 @@ void write_strands(const Prepared& groom, const BoundChunk& bound,
     const Request& request = bound.request;
     const float scale = float(request.scale);
     if (out.counts) {
-        const lancret_curves sizes = sizes_of(bound.request, bound.binding);
-        std::fill_n(writable(out.counts), strands,
-                    sizes.points / std::max(1u, sizes.strands));
+        lancret_u32* to = writable(out.counts);
+        for (const ChunkClass& own : bound.classes) {
+            to = std::fill_n(to, own.strands, own.points);
+        }
     }
     if (out.ids) {
         for (std::size_t i = 0; i < strands; ++i) writable(out.ids)[i] = roots.id(i);
@@ -119,17 +116,19 @@ void write_strands(const Prepared& groom, const BoundChunk& bound,
 /// that the curve itself begins at 0 and ends at the strand's length.
 void write_arc_lengths(const BoundChunk& bound, float* to) {
     const Request& request = bound.request;
-    const lancret_curves sizes = sizes_of(bound.request, bound.binding);
-    if (sizes.strands == 0) return;
-    const std::size_t m = sizes.points / sizes.strands;
     const bool beyond =
         request.basis == LANCRET_BSPLINE || request.basis == LANCRET_CATMULL_ROM;
     const float before = beyond ? 1 : 0;
     const int in_interval = request.basis == LANCRET_BEZIER ? 3 : 1;
-    for (std::size_t i = 0; i < sizes.strands; ++i) {
-        const float step = bound.binding.lengths[i] * float(request.scale) /
-                           float(request.intervals * in_interval);
-        for (std::size_t j = 0; j < m; ++j) *to++ = (float(j) - before) * step;
+    const float* length = bound.binding.lengths.data();
+    for (const ChunkClass& own : bound.classes) {
+        for (std::uint32_t i = 0; i < own.strands; ++i) {
+            const float step = *length++ * float(request.scale) /
+                               float(own.intervals * std::uint32_t(in_interval));
+            for (std::uint32_t j = 0; j < own.points; ++j) {
+                *to++ = (float(j) - before) * step;
+            }
+        }
     }
 }
 
@@ -144,10 +143,17 @@ ExpandSettings settings_of(const Prepared& groom, const Request& request) {
 
 BoundChunk bind_request(const Prepared& groom, std::uint32_t chunk,
                         const lancret_options* options) {
-    BoundChunk out{read_request(groom, chunk, options), {}};
+    BoundChunk out{read_request(groom, chunk, options), {}, {}};
     const Generator& generator = groom.generator();
-    out.binding = bind_chunk(groom.groom(), chunk, out.request.density);
+    const StrandClasses& classes = *out.request.classes;
+    out.binding = bind_chunk(groom.groom(), chunk, out.request.density, classes);
     stop_if_cancelled();
+    each_class(
+        classes, out.binding, [&](std::size_t c, std::size_t first, std::size_t last) {
+            const auto intervals = std::uint32_t(classes.counts[c]);
+            out.classes.push_back({std::uint32_t(last - first), intervals,
+                                   control_points_of(out.request.curve, intervals)});
+        });
     if (out.request.wants(LANCRET_NORMALS) && out.binding.faces.empty()) {
         out.binding.faces =
             rest_faces(out.binding, generator.profiles, generator.groom.expand.blend);
@@ -155,20 +161,21 @@ BoundChunk bind_request(const Prepared& groom, std::uint32_t chunk,
     return out;
 }
 
-lancret_curves sizes_of(const Request& request, const Binding& binding) {
+lancret_curves sizes_of(const BoundChunk& bound) {
     lancret_curves out{};
     out.size = sizeof out;
-    out.basis = request.basis;
-    out.strands = lancret_u32(binding.size());
-    const std::uint64_t points =
-        std::uint64_t(out.strands) *
-        control_points_of(request.curve, std::uint32_t(request.intervals));
+    out.basis = bound.request.basis;
+    std::uint64_t points = 0;
+    for (const ChunkClass& own : bound.classes) {
+        points += std::uint64_t(own.strands) * own.points;
+    }
     if (points > std::numeric_limits<lancret_u32>::max()) {
         throw InputError("a chunk has more than 2^32 points: make chunks smaller");
     }
+    out.strands = lancret_u32(bound.binding.size());
     out.points = lancret_u32(points);
-    out.times = lancret_u32(request.frames.size());
-    out.neighbours = lancret_u32(binding.neighbours);
+    out.times = lancret_u32(bound.request.frames.size());
+    out.neighbours = lancret_u32(bound.binding.neighbours);
     return out;
 }
 
@@ -184,24 +191,27 @@ void write_chunk(const Prepared& groom, const BoundChunk& bound,
     const Request& request = bound.request;
     write_strands(groom, bound, out);
     if (out.arc_lengths) write_arc_lengths(bound, writable(out.arc_lengths));
+    const std::size_t points = sizes_of(bound).points;
     const bool still = request.is_still() && all_of_first(out);
     for (std::size_t time = 0; time < request.frames.size(); ++time) {
         if (still && time > 0) {
-            copy_time(out, sizes_of(request, bound.binding).points, time);
+            copy_time(out, points, time);
             continue;
         }
-        const auto pose = groom.pose(request.frames[time], request.intervals);
+        const auto pose = groom.pose(request.frames[time], request.classes);
+        const auto write = [&](const Binding& posed) {
+            write_time(groom, request, points, posed, *pose, out, time, workspace);
+        };
         if (!groom.times().moves()) {
-            write_time(groom, request, bound.binding, *pose, out, time, workspace);
+            write(bound.binding);
         } else {
-            write_time(groom, request, at_pose(groom, bound, *pose), *pose, out, time,
-                       workspace);
+            write(at_pose(groom, bound, *pose));
         }
     }
 }
 
 ChunkArrays::ChunkArrays(const BoundChunk& bound, Workspace& workspace)
-    : curves(sizes_of(bound.request, bound.binding)) {
+    : curves(sizes_of(bound)) {
     const Request& request = bound.request;
     const std::size_t strands = curves.strands;
     const bool still = request.is_still();

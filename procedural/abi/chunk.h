@@ -5,10 +5,17 @@
 
 namespace lancret::abi {
 
+/// Strands of a chunk that are cut alike.
+struct ChunkClass {
+    std::uint32_t strands, intervals;
+    std::uint32_t points;  ///< a strand
+};
+
 /// What is kept of a chunk between its sizes and its curves.
 struct BoundChunk {
     Request request;
-    Binding binding;  ///< at rest
+    Binding binding;                  ///< at rest
+    std::vector<ChunkClass> classes;  ///< of all strands, in their order
 };
 
 /// Throws BadCall, InputError.
@@ -22,7 +29,7 @@ ExpandSettings settings_of(const Prepared& groom, const Request& request);
 Binding at_pose(const Prepared& groom, const BoundChunk& bound, const GuidePose& pose);
 
 /// All of lancret_curves but its pointers.
-lancret_curves sizes_of(const Request& request, const Binding& binding);
+lancret_curves sizes_of(const BoundChunk& bound);
 
 /// Writes the arrays that `out` points to, all but those that are null; all of them are
 /// as long as sizes_of says. `workspace` lends memory for what is not kept.

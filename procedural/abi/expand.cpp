@@ -49,10 +49,8 @@ lancret_status lancret_chunk_open(const lancret_groom* groom, lancret_u32 chunk,
 
 lancret_status lancret_chunk_sizes(const lancret_chunk* bound, lancret_curves* sizes) {
     if (!bound) return LANCRET_BAD_CALL;
-    return run(bound->groom->context, [&] {
-        write_sized(sizes, sizes_of(bound->own.request, bound->own.binding),
-                    "lancret_curves");
-    });
+    return run(bound->groom->context,
+               [&] { write_sized(sizes, sizes_of(bound->own), "lancret_curves"); });
 }
 
 lancret_status lancret_chunk_write(const lancret_chunk* bound,

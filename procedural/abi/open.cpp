@@ -6,6 +6,7 @@
 
 #include "procedural/abi/handles.h"
 #include "procedural/abi/source.h"
+#include "procedural/fit_report.h"
 
 namespace lancret::abi {
 
@@ -15,12 +16,8 @@ void tell_warnings(const lancret_context& context, const GroomGuides& source) {
     for (const std::string& warning : source.warnings) {
         log(context, LANCRET_LOG_WARNING, warning);
     }
-    if (source.snapped_roots > 0) {
-        log(context, LANCRET_LOG_WARNING,
-            fmt::format("{} of {} guide roots were off the scalp and were put on it; the "
-                        "farthest moved {:.3f} cm",
-                        source.snapped_roots, source.guides.size(), source.largest_snap));
-    }
+    const std::string roots = roots_line(source);
+    if (!roots.empty()) log(context, LANCRET_LOG_WARNING, roots);
 }
 
 std::shared_ptr<const Prepared> prepare(lancret_context& context, const Source& source) {
@@ -41,6 +38,13 @@ std::shared_ptr<const Prepared> prepare(lancret_context& context, const Source& 
     return out;
 }
 
+int shape_of(const std::optional<CurveShape>& shape) {
+    if (!shape) return LANCRET_ANY_SHAPE;
+    return *shape == CurveShape::flat    ? LANCRET_FLAT
+           : *shape == CurveShape::round ? LANCRET_ROUND
+                                         : LANCRET_RIBBON;
+}
+
 lancret_info info_of(const Prepared& groom) {
     const Generator& generator = groom.generator();
     const SceneUnits& scene = generator.groom.scene;
@@ -54,6 +58,15 @@ lancret_info info_of(const Prepared& groom) {
     if (groom.times().moves()) {
         out.first_frame = groom.times().first();
         out.last_frame = groom.times().last();
+        out.frames = groom.times().info.frames;
+    }
+    const ExpandSettings& expand = generator.groom.expand;
+    out.basis = expand.basis == CurveBasis::hermite ? LANCRET_HERMITE : LANCRET_BSPLINE;
+    out.shape = shape_of(expand.shape);
+    const Eigen::AlignedBox3f box = guide_box(generator);
+    for (int i = 0; i < 3; ++i) {
+        out.box[i] = box.min()[i];
+        out.box[3 + i] = box.max()[i];
     }
     out.cm_per_unit = float(scene.centimetres_per_unit());
     for (int i = 0; i < 3; ++i) out.up[i] = float(scene.up[i]);

@@ -6,19 +6,9 @@
 
 namespace lancret::abi {
 
-namespace {
-
-/// A host may ask for any basis and tolerance: strands are alike.
-Groom all_alike(Groom groom) {
-    groom.adapt = false;
-    return groom;
-}
-
-}  // namespace
-
 Prepared::Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
                    const StageCallback& stage)
-    : groom_(make_chunked_groom(all_alike(sourced.groom), chunk_strands, stage)),
+    : groom_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
       times_(groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom))) {
     if (times_.moves()) prepare_frames(groom_.generator, times_);
     const GroomGuides& source = generator().source;
@@ -35,11 +25,13 @@ double Prepared::frame_at(double time) const {
     return std::clamp(time, double(times_.first()), double(times_.last()));
 }
 
-std::shared_ptr<const GuidePose> Prepared::pose(double frame, int intervals) const {
-    return poses_.get({frame, intervals}, [&] {
+std::shared_ptr<const GuidePose> Prepared::pose(
+    double frame, const std::shared_ptr<const StrandClasses>& classes) const {
+    return poses_.get({frame, classes.get()}, [&] {
         const GroomGuides& source = generator().source;
         const bool moves = times_.moves();
         auto out = std::make_shared<GuidePose>();
+        out->classes = classes;
         out->guides =
             moves ? guides_at(times_, source.places, frame) : generator().source.guides;
         // No children yet: the guides' normals alone.
@@ -50,22 +42,31 @@ std::shared_ptr<const GuidePose> Prepared::pose(double frame, int intervals) con
         out->scalp =
             posed_scalp(rest, on_head ? times_.pose_at(frame) : ScalpPose(RigidPose{}));
         if (moves) pose_binding_on(none, rest, out->scalp);
-        out->classed = one_class(guide_profiles<float>(out->guides, intervals),
-                                 none.guide_normals, generator().groom.expand.blend);
+        out->classed = classed_guides(out->guides, *classes, none.guide_normals,
+                                      generator().groom.expand.blend);
         return out;
     });
 }
 
-int Prepared::intervals(CurveBasis basis, float max_error) const {
+std::shared_ptr<const StrandClasses> Prepared::classes(CurveBasis basis, float max_error,
+                                                       bool alike) const {
     const Groom& own = generator().groom;
     const bool as_groom = max_error == 0;
-    if (as_groom && (own.intervals || basis == own.expand.basis)) {
-        return generator().profiles.count;
-    }
-    return *intervals_.get({basis, max_error}, [&] {
-        return std::make_shared<const int>(intervals_in_time(
-            generator(), times_, basis, as_groom ? own.tolerance : double(max_error),
-            is_of_hermite(basis) ? kMostIntervalsAsked : kMostIntervals));
+    if (basis == CurveBasis::bezier) basis = CurveBasis::hermite;  // the same curves
+    const bool all_alike = alike || !own.adapt || own.expand.has_faces();
+    return classes_.get({basis, max_error, all_alike}, [&] {
+        if (as_groom && (own.intervals || basis == own.expand.basis)) {
+            return std::make_shared<const StrandClasses>(
+                all_alike ? StrandClasses{{generator().profiles.count}}
+                          : generator().classes);
+        }
+        const double tolerance = as_groom ? own.tolerance : double(max_error);
+        const int finest = intervals_in_time(
+            generator(), times_, basis, tolerance,
+            is_of_hermite(basis) ? kMostIntervalsAsked : kMostIntervals);
+        return std::make_shared<const StrandClasses>(
+            all_alike ? StrandClasses{{finest}}
+                      : classes_in_time(generator(), times_, basis, tolerance, finest));
     });
 }
 

@@ -2,6 +2,7 @@
 // A groom that is open: what all handles on the same source share.
 
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -12,11 +13,12 @@
 
 namespace lancret::abi {
 
-/// The guides and the scalp at one time, cut for one number of intervals.
+/// The guides and the scalp at one time, cut for some classes of strands.
 struct GuidePose {
+    std::shared_ptr<const StrandClasses> classes;
     Guides guides;
     PosedScalp scalp;
-    ClassedGuides classed;  ///< all strands alike
+    ClassedGuides classed;
 };
 
 /// The guides as the interface gives them.
@@ -43,10 +45,13 @@ class Prepared {
     /// A time as what is there at it: held where the cache ends, 0 where nothing moves.
     double frame_at(double time) const;
     /// The last few of these are kept. Throws InputError, Cancelled.
-    std::shared_ptr<const GuidePose> pose(double frame, int intervals) const;
-    /// The number of intervals that keeps curves of `basis` within `max_error` cm of the
-    /// strands; at 0 what the groom itself says. Throws InputError, Cancelled.
-    int intervals(CurveBasis basis, float max_error) const;
+    std::shared_ptr<const GuidePose> pose(
+        double frame, const std::shared_ptr<const StrandClasses>& classes) const;
+    /// The numbers of intervals that keep curves of `basis` within `max_error` cm of the
+    /// strands, at 0 within the groom's own tolerance. All strands are `alike` where they
+    /// have faces. Throws InputError, Cancelled.
+    std::shared_ptr<const StrandClasses> classes(CurveBasis basis, float max_error,
+                                                 bool alike) const;
     /// Kept while this is open; of what can be made again nothing.
     std::size_t bytes() const;
 
@@ -54,8 +59,8 @@ class Prepared {
     ChunkedGroom groom_;
     GroomTimes times_;
     GuideArrays arrays_;
-    mutable SharedByKey<std::pair<double, int>, GuidePose> poses_{16};
-    mutable SharedByKey<std::pair<CurveBasis, float>, int> intervals_{64};
+    mutable SharedByKey<std::pair<double, const StrandClasses*>, GuidePose> poses_{16};
+    mutable SharedByKey<std::tuple<CurveBasis, float, bool>, StrandClasses> classes_{64};
 };
 
 }  // namespace lancret::abi

@@ -19,7 +19,7 @@ lancret_check check_of(const Prepared& groom, std::uint32_t chunk,
     const BoundChunk bound = bind_request(groom, chunk, options);
     const Request& request = bound.request;
     const Groom& own = groom.generator().groom;
-    const auto pose = groom.pose(request.frames[0], request.intervals);
+    const auto pose = groom.pose(request.frames[0], request.classes);
     const Binding posed =
         groom.times().moves() ? at_pose(groom, bound, *pose) : bound.binding;
     const ExpandSettings settings = settings_of(groom, request);

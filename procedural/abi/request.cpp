@@ -9,7 +9,6 @@ namespace lancret::abi {
 
 namespace {
 
-constexpr std::size_t kMostTimes = 64;
 constexpr float kLeastError = 1e-4f;  // cm, as in a groom's file
 constexpr std::uint32_t kKnownAttributes =
     LANCRET_TANGENTS | LANCRET_NORMALS | LANCRET_IDS | LANCRET_ROOT_UV | LANCRET_LENGTHS |
@@ -54,7 +53,6 @@ Request read_request(const Prepared& groom, std::uint32_t chunk,
     out.max_error = float(in.max_error * scale);
     require(out.max_error == 0 || out.max_error >= kLeastError,
             "lancret_options: max_error is below a micrometre");
-    out.intervals = groom.intervals(out.curve, out.max_error);
     const Generator& generator = groom.generator();
     out.density = in.density > 0 ? in.density : generator.groom.density;
     if (in.strands_a_pixel > 0) {
@@ -64,6 +62,7 @@ Request read_request(const Prepared& groom, std::uint32_t chunk,
     }
     out.density = std::max(out.density, kLeastDensity);
     out.attributes = in.attributes;
+    out.classes = groom.classes(out.curve, out.max_error, out.wants(LANCRET_NORMALS));
     out.scale = 1 / scale;
     return out;
 }

@@ -9,14 +9,17 @@
 
 namespace lancret::abi {
 
+/// Times of one call.
+inline constexpr std::size_t kMostTimes = 256;
+
 /// Options that were looked at, for one chunk.
 struct Request {
     int basis = 0;  ///< LANCRET_LINEAR, ...
     std::vector<double>
         frames;  ///< at least one: what is there at each time: see Prepared::frame_at
-    CurveBasis curve = CurveBasis::linear;  ///< the same
-    float max_error = 0;                    ///< cm; 0: the groom's own
-    int intervals = 0;                      ///< a strand
+    CurveBasis curve = CurveBasis::linear;         ///< the same
+    float max_error = 0;                           ///< cm; 0: the groom's own
+    std::shared_ptr<const StrandClasses> classes;  ///< how finely strands are cut
     double density = 1;
     std::uint32_t attributes = 0;
     double scale = 1;  ///< units of what is given back in a cm

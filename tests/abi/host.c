@@ -49,6 +49,11 @@ static struct {
     lancret_status (*chunk_sizes)(const lancret_chunk *, lancret_curves *);
     lancret_status (*chunk_write)(const lancret_chunk *, const lancret_curves *);
     void (*chunk_close)(lancret_chunk *);
+    lancret_status (*describe)(const lancret_groom *, lancret_text_sink, void *);
+    lancret_status (*get_head)(const lancret_groom *, double, lancret_mesh_sink, void *);
+    lancret_status (*is_still)(const lancret_groom *, const double *, size_t, int *);
+    lancret_status (*get_chunk_info)(const lancret_chunk *, lancret_chunk_info *);
+    lancret_status (*chunk_figures)(const lancret_chunk *, int, size_t, float *);
 } lancret;
 
 static void load_all(void *library) {
@@ -66,6 +71,11 @@ static void load_all(void *library) {
     load(library, "lancret_chunk_sizes", &lancret.chunk_sizes);
     load(library, "lancret_chunk_write", &lancret.chunk_write);
     load(library, "lancret_chunk_close", &lancret.chunk_close);
+    load(library, "lancret_describe", &lancret.describe);
+    load(library, "lancret_get_head", &lancret.get_head);
+    load(library, "lancret_is_still", &lancret.is_still);
+    load(library, "lancret_get_chunk_info", &lancret.get_chunk_info);
+    load(library, "lancret_chunk_figures", &lancret.chunk_figures);
 }
 
 /* What a sink sees, to be compared with what a buffer holds. */
@@ -100,6 +110,17 @@ static lancret_status look(void *user, const lancret_curves *curves) {
     return LANCRET_OK;
 }
 
+static void look_at_text(void *user, const char *text) {
+    (void)user;
+    EXPECT(text[0] == '{');
+}
+
+static lancret_status look_at_head(void *user, const lancret_mesh *mesh) {
+    (void)user;
+    EXPECT(mesh->vertices > 0 && mesh->triangles > 0);
+    return LANCRET_OK;
+}
+
 static lancret_status refuse(void *user, const lancret_curves *curves) {
     (void)user;
     (void)curves;
@@ -109,7 +130,9 @@ static lancret_status refuse(void *user, const lancret_curves *curves) {
 static void try_chunk(lancret_groom *groom, lancret_u32 chunk, int basis, struct seen *seen) {
     lancret_options options;
     lancret_chunk *bound = NULL;
+    lancret_chunk_info bound_info;
     lancret_curves curves;
+    lancret_u32 i;
     float *points;
     const float *times[1];
     memset(&options, 0, sizeof options);
@@ -129,6 +152,14 @@ static void try_chunk(lancret_groom *groom, lancret_u32 chunk, int basis, struct
     curves.size = sizeof curves;
     EXPECT(lancret.chunk_sizes(bound, &curves) == LANCRET_OK);
     EXPECT(curves.points == seen->points && curves.strands == seen->strands);
+    memset(&bound_info, 0, sizeof bound_info);
+    bound_info.size = sizeof bound_info;
+    EXPECT(lancret.get_chunk_info(bound, &bound_info) == LANCRET_OK);
+    EXPECT(bound_info.strands == curves.strands);
+    points = malloc((size_t)curves.strands * sizeof(float));
+    EXPECT(lancret.chunk_figures(bound, LANCRET_LENGTH_ERROR, 0, points) == LANCRET_OK);
+    for (i = 0; i < curves.strands; ++i) EXPECT(points[i] >= 0 && points[i] <= 1e-5f);
+    free(points);
     /* 16 bytes a point, aligned as malloc aligns. */
     points = malloc((size_t)curves.points * 16);
     times[0] = points;
@@ -146,6 +177,8 @@ int main(int argc, char **argv) {
     lancret_source source;
     lancret_info info;
     lancret_guides guides;
+    const double some_time = 0;
+    int still = 0;
     struct seen seen;
     char error[256];
     unsigned long strands = 0;
@@ -181,6 +214,9 @@ int main(int argc, char **argv) {
     guides.size = sizeof guides;
     EXPECT(lancret.get_guides(groom, &guides) == LANCRET_OK);
     EXPECT(guides.guides == info.guides && guides.segments == info.segments);
+    EXPECT(lancret.describe(groom, look_at_text, NULL) == LANCRET_OK);
+    EXPECT(lancret.get_head(groom, 0, look_at_head, NULL) == LANCRET_OK);
+    EXPECT(lancret.is_still(groom, &some_time, 1, &still) == LANCRET_OK && still == 1);
     memset(&seen, 0, sizeof seen);
     for (i = 0; i < info.chunks; ++i) {
         for (basis = LANCRET_BSPLINE; basis <= LANCRET_HERMITE; basis += 3) {

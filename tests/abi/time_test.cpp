@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -73,9 +74,7 @@ TEST_F(PluginTime, StrandsAreThoseOfTheLibraryAtAndBetweenFrames) {
     GroomSource source;
     source.path = cache_;
     const SourcedGroom sourced = read_groom_source(source);
-    Groom alike = sourced.groom;
-    alike.adapt = false;  // as through the interface
-    Generator generator = make_generator(alike);
+    Generator generator = make_generator(sourced.groom);
     const GroomTimes times =
         groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom));
     const RestPlaces rest = prepare_frames(generator, times);
@@ -91,15 +90,34 @@ TEST_F(PluginTime, StrandsAreThoseOfTheLibraryAtAndBetweenFrames) {
             expand(generator.binding, state.classed, generator.groom.expand);
         const auto strands = expanded(groom.get(), options, false, t);
         ASSERT_EQ(strands.size(), curves.strands);
+        std::map<std::uint32_t, std::uint32_t> places;
+        for (std::uint32_t i = 0; i < curves.strands; ++i) places[curves.id_of(i)] = i;
         for (const auto& [id, strand] : strands) {
-            const std::size_t m = curves.points_of(0);
-            ASSERT_EQ(strand.positions.size(), 4 * m);
-            ASSERT_EQ(std::memcmp(strand.positions.data(), curves.points.data() + id * m,
+            const std::uint32_t place = places.at(id), m = curves.points_of(place);
+            ASSERT_EQ(strand.positions.size(), 4 * std::size_t(m));
+            ASSERT_EQ(std::memcmp(strand.positions.data(),
+                                  curves.points.data() + curves.first_point(place),
                                   m * sizeof(Point4f)),
                       0)
                 << asked[t];
         }
     }
+}
+
+TEST_F(PluginTime, WhatMovesIsNotStill) {
+    const auto context = a_context();
+    const auto groom = open_cache(context.get());
+    const auto still = [&](std::vector<double> times) {
+        int out = -1;
+        EXPECT_EQ(lancret_is_still(groom.get(), times.data(), times.size(), &out),
+                  LANCRET_OK);
+        return out;
+    };
+    EXPECT_EQ(still({3, 4}), 0);
+    EXPECT_EQ(still({3, 3, 5.5}), 0);
+    EXPECT_EQ(still({4.5, 4.5}), 1);
+    EXPECT_EQ(still({6, 100}), 1);  // held beyond the end
+    EXPECT_EQ(info_of(groom.get()).frames, 4);
 }
 
 TEST_F(PluginTime, BoundsHoldAllTimesAndBetween) {
@@ -160,7 +178,7 @@ TEST_F(PluginTime, BuffersGetWhatASinkGets) {
         return LANCRET_OK;
     };
     EXPECT_EQ(expand_with(groom.get(), 0, options, look), LANCRET_OK);
-    EXPECT_EQ(ids.back(), 2999u);
+    EXPECT_EQ(std::ranges::max(ids), 2999u);
 }
 
 TEST_F(PluginTime, AFileThatChangesIsLoadedAgain) {
