@@ -11,6 +11,10 @@ std::string_view blend_name(Blend blend) {
     return at->name;
 }
 
+bool has_torsion(Blend blend) {
+    return blend != Blend::position && blend != Blend::option3;
+}
+
 std::optional<Blend> blend_named(std::string_view name) {
     const auto at = std::ranges::find(kBlendNames, name, &BlendName::name);
     if (at == std::end(kBlendNames)) return std::nullopt;

@@ -41,6 +41,10 @@ inline constexpr BlendName kBlendNames[] = {{Blend::detail, "detail"},
 std::string_view blend_name(Blend blend);
 std::optional<Blend> blend_named(std::string_view name);
 
+/// Whether frames of this blend turn about the tangent as the curl does; else they are
+/// carried without twist and know no torsion.
+bool has_torsion(Blend blend);
+
 /// A child before it has a shape.
 template <class T>
 struct Child {

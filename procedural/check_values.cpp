@@ -50,17 +50,6 @@ StrandValues values_of(const Binding& binding, const ClassedGuides& guides, Blen
 
 }  // namespace
 
-float StrandValues::at(std::uint32_t strand, float along) const {
-    const std::span<const float> own = of(strand);
-    if (own.size() == 1) return own[0];
-    const std::size_t intervals = at_places ? own.size() - 1 : own.size();
-    const float place = std::clamp(along, 0.0f, 1.0f) * float(intervals);
-    const std::size_t j = std::min(std::size_t(place), intervals - 1);
-    if (!at_places) return own[j];
-    const float share = place - float(j);
-    return (1 - share) * own[j] + share * own[j + 1];
-}
-
 StrandValues length_error_values(const CheckReport& report) {
     StrandValues out;
     out.values.reserve(report.strands.size());
@@ -89,19 +78,6 @@ StrandValues torsion_values(const Binding& binding, const ClassedGuides& guides,
     return values_of(binding, guides, blend, false, [](States states, std::size_t j) {
         return measured_interval(states[j], states[j + 1]).tau;
     });
-}
-
-bool has_torsion(Blend blend) {
-    return blend != Blend::position && blend != Blend::option3;
-}
-
-StrandValues leading_guide_values(const Binding& binding) {
-    StrandValues out;
-    out.values.reserve(binding.size());
-    for (std::size_t i = 0; i < binding.size(); ++i) {
-        out.values.push_back(float(heaviest_guide(binding, i)));
-    }
-    return out;
 }
 
 }  // namespace lancret

@@ -9,9 +9,6 @@ namespace lancret {
 
 void Curves::add_class(std::uint32_t count, std::uint32_t intervals) {
     if (count == 0) return;
-    if (classes.size() == kMostClasses) {
-        throw std::invalid_argument("curves: too many classes of strands");
-    }
     const CurveClass own{strands,
                          std::uint32_t(segment_count()),
                          std::uint32_t(point_count()),

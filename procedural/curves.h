@@ -1,6 +1,7 @@
 #pragma once
 // What expansion makes and Embree reads: the same bytes, shared without a copy.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,7 +33,6 @@ struct CurveClass {
 
     bool operator==(const CurveClass&) const = default;
 };
-inline constexpr std::size_t kMostClasses = 32;
 
 /// Where a segment is.
 struct SegmentPlace {
@@ -47,7 +47,7 @@ struct Curves {
     CurveBasis basis = CurveBasis::bspline;
     CurveShape shape = CurveShape::flat;
     std::uint32_t strands = 0;
-    std::vector<CurveClass> classes;  ///< of all strands, at most kMostClasses
+    std::vector<CurveClass> classes;  ///< of all strands
     Buffer<Point4f> points;           ///< of all strands, cm, w is the radius
     Buffer<Point4f> tangents;  ///< of Hermite curves: [points], cm a segment, w is dr/dt;
                                ///< of others none, or directions: unit, w 0
@@ -61,8 +61,8 @@ struct Curves {
 
     /// Adds `count` strands of `intervals` segments to the table after those that are
     /// there, nothing where there are none; the buffers stay as they are. Throws
-    /// std::invalid_argument where there are more classes than kMostClasses, or more
-    /// control points than 32 bits can count.
+    /// std::invalid_argument where there are more control points than 32 bits can
+    /// count.
     void add_class(std::uint32_t count, std::uint32_t intervals);
     /// How many segments and control points the classes have together.
     std::size_t segment_count() const;
@@ -105,10 +105,8 @@ struct Curves {
   private:
     /// The last class whose first is not beyond `i`.
     const CurveClass& last_from(std::uint32_t CurveClass::*first, std::uint32_t i) const {
-        const CurveClass* own = classes.data();
-        const CurveClass* const last = own + classes.size() - 1;
-        while (own != last && own[1].*first <= i) ++own;
-        return *own;
+        const auto beyond = std::ranges::upper_bound(classes, i, {}, first);
+        return beyond[-1];
     }
 };
 

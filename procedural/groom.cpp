@@ -39,7 +39,7 @@ void read_scene(const TomlTable& scene, SceneUnits& out) {
 void read_made(const TomlTable& made, MadeGroomSettings& out) {
     if (const auto kind = made.choice("kind", kMadeKinds)) out.kind = MadeKind(*kind);
     set(out.strands, made.integer("strands", 1, 1'000'000));
-    set(out.seed, made.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    set(out.seed, made.seed("seed"));
     set(out.shortest, made.number("shortest", 0.1, 200));
     set(out.longest, made.number("longest", 0.1, 200));
     if (out.shortest > out.longest) {
@@ -76,7 +76,7 @@ void read_guides(const TomlTable& guides, Groom& out) {
 
 void read_strands(const TomlTable& strands, Groom& out) {
     set(out.strands, strands.integer("count", 1, kMostStrands));
-    set(out.seed, strands.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    set(out.seed, strands.seed("seed"));
     set(out.density, strands.number("density", kLeastDensity, 1));
     std::vector<std::string_view> blends;
     for (const BlendName& entry : kBlendNames) blends.push_back(entry.name);

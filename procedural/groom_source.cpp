@@ -14,13 +14,6 @@ constexpr std::string_view kOthersTables[] = {"camera", "light",    "material",
 
 }  // namespace
 
-Groom groom_of_file(const std::filesystem::path& file) {
-    Groom out;
-    out.name = file.string();
-    out.strands_file = file;
-    return out;
-}
-
 std::filesystem::path groom_of_cache(const std::filesystem::path& cache) {
     const std::filesystem::path groom = guide_cache_info(cache).groom;
     std::error_code unknown;  // counts as not there

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "procedural/groom.h"
@@ -31,8 +32,9 @@ struct SourcedGroom {
     MotionSettings motion;  ///< of its head
 };
 
-/// The groom that a file of strands or guides is by itself.
-Groom groom_of_file(const std::filesystem::path& file);
+/// The tables of a groom's TOML that say what grows; the others belong to who shows it.
+inline constexpr std::string_view kGroomTables[] = {
+    "scene", "guides", "scalp", "strands", "regions", "partings", "width"};
 
 /// The groom that a cache of guides names, where it is a .toml that is there; else
 /// nothing: then the guides stand by themselves.

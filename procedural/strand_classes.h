@@ -10,6 +10,8 @@
 
 namespace lancret {
 
+inline constexpr std::size_t kMostClasses = 32;
+
 /// Classes are chosen by guide, before any child is grown: a child has that of its
 /// heaviest guide, in every chunk and at every density.
 struct StrandClasses {

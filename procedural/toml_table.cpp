@@ -153,6 +153,12 @@ std::optional<std::int64_t> TomlTable::integer(std::string_view key, std::int64_
     return number;
 }
 
+std::optional<std::uint64_t> TomlTable::seed(std::string_view key) const {
+    const toml::node* value = node_->ask(key);
+    if (value && parameter_seed(*value)) return parameter_seed(*value);
+    return integer(key, 0, std::numeric_limits<std::int64_t>::max());
+}
+
 std::optional<bool> TomlTable::boolean(std::string_view key) const {
     const toml::node* value = node_->ask(key);
     if (!value) return std::nullopt;

@@ -26,8 +26,9 @@ class TomlTable {
                                const std::filesystem::path& folder = {});
 
     /// Lays a value over what the file says, as if it stood there: `name` is
-    /// "strands.count", of this table. Numbers also serve as booleans, 0 and 1. To be
-    /// done before anything is read. Throws InputError where the name is none.
+    /// "strands.count", of this table. Numbers also serve as booleans, 0 and 1, texts as
+    /// seeds; NaN takes away what the file says. To be done before anything is read.
+    /// Throws InputError where the name is none.
     void lay_over(std::string_view name, std::string_view text);
     void lay_over(std::string_view name, double number);
     /// Leaves the table or list under `key` to somebody else.
@@ -47,6 +48,8 @@ class TomlTable {
                                  double high = 1e30) const;
     std::optional<std::int64_t> integer(std::string_view key, std::int64_t low,
                                         std::int64_t high) const;
+    /// A whole number from 0 to 2^63 - 1; laid over as a text, to 2^64 - 1.
+    std::optional<std::uint64_t> seed(std::string_view key) const;
     std::optional<bool> boolean(std::string_view key) const;
     std::optional<std::string> text(std::string_view key) const;
     /// A path, relative to the file's folder.

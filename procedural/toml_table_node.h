@@ -19,6 +19,8 @@ struct TomlDocument {
 
 /// The truth value of 0 or 1 that a caller laid over the file, who has no booleans.
 std::optional<bool> parameter_bit(const toml::node& value);
+/// The number of a text that a caller laid over the file: doubles do not hold all seeds.
+std::optional<std::uint64_t> parameter_seed(const toml::node& value);
 
 struct TomlTable::Node {
     std::shared_ptr<TomlDocument> document;

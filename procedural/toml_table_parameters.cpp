@@ -1,18 +1,35 @@
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
+#include <type_traits>
 
 #include "guides/errors.h"
 #include "procedural/toml_table_node.h"
 
 namespace lancret {
 
+namespace {
+
+bool is_laid_over(const toml::node& value) { return value.source().begin.line == 0; }
+
+}  // namespace
+
 std::optional<bool> parameter_bit(const toml::node& value) {
-    const bool laid_over = value.source().begin.line == 0;
-    if (!laid_over || !value.is_integer()) return std::nullopt;
+    if (!is_laid_over(value) || !value.is_integer()) return std::nullopt;
     const std::int64_t number = value.as_integer()->get();
     if (number != 0 && number != 1) return std::nullopt;
     return number == 1;
+}
+
+std::optional<std::uint64_t> parameter_seed(const toml::node& value) {
+    if (!is_laid_over(value) || !value.is_string()) return std::nullopt;
+    const std::string& text = value.as_string()->get();
+    const char* const end = text.data() + text.size();
+    std::uint64_t number = 0;
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || stop != end) return std::nullopt;
+    return number;
 }
 
 template <class T>
@@ -35,6 +52,9 @@ void TomlTable::lay_value_over(std::string_view name, const T& value) {
     if (rest.empty()) refuse("is no name; expected one such as 'strands.count'");
     // Gone first, so that its line is not taken for that of the value.
     table->erase(rest);
+    if constexpr (std::is_same_v<T, double>) {
+        if (std::isnan(value)) return;
+    }
     table->insert(rest, value);
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "procedural/check_values.h"
+#include "procedural/strand_values.h"
 #include "render_test/embree_scene.h"
 
 namespace lancret {

@@ -14,6 +14,7 @@
 #include "procedural/class_choice.h"
 #include "tools/command.h"
 #include "tools/frames.h"
+#include "tools/generate.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
 

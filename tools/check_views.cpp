@@ -10,7 +10,7 @@
 
 #include "guides/errors.h"
 #include "procedural/check_strand.h"
-#include "procedural/child_roots.h"
+#include "procedural/check_tolerances.h"
 #include "render_test/colour_map.h"
 #include "sim/signed_distance.h"
 
@@ -76,32 +76,29 @@ std::vector<Swatch> frequent(std::span<const std::uint32_t> values, const char* 
     return out;
 }
 
-/// Each guide a colour, mixed by the weights of every strand.
-std::vector<Vec3f> influence_colours(const Binding& binding) {
-    const auto n = std::size_t(binding.neighbours);
-    std::vector<Vec3f> out(binding.size(), Vec3f::Zero());
-    tbb::parallel_for(std::size_t(0), out.size(), [&](std::size_t i) {
-        for (std::size_t k = i * n; k < (i + 1) * n; ++k) {
-            if (binding.weights[k] > 0) {
-                out[i] += binding.weights[k] * category_colour(binding.guides[k]);
-            }
+/// Each guide a colour, mixed by the weights of every strand; and the guide that each
+/// follows most.
+void set_influence(CheckView& view, const StrandGuides& bound, std::size_t strands) {
+    const std::size_t n = bound.neighbours;
+    std::vector<std::uint32_t> leading(strands);
+    view.colours.assign(strands, Vec3f::Zero());
+    tbb::parallel_for(std::size_t(0), strands, [&](std::size_t i) {
+        const auto weights = std::span(bound.weights).subspan(i * n, n);
+        for (std::size_t k = 0; k < n; ++k) {
+            if (!(weights[k] > 0)) continue;
+            view.colours[i] += weights[k] * category_colour(bound.guides[i * n + k]);
         }
+        const auto most = std::ranges::max_element(weights) - weights.begin();
+        leading[i] = bound.guides[i * n + std::size_t(most)];
     });
-    return out;
+    view.values.values.assign(leading.begin(), leading.end());
+    view.swatches = frequent(leading, "");
 }
 
-void set_regions(CheckView& view, const Generator& generator, const RestPlaces& rest) {
-    Roots at_rest = generator.binding.roots;
-    at_rest.positions = rest.roots;
-    const std::vector<std::uint32_t> regions =
-        child_regions(generator.source.regions, generator.source.grown_roots, at_rest);
-    if (regions.empty()) {
-        throw InputError(fmt::format(
-            "--view region: {} has no regions; its [regions] table names them",
-            generator.groom.name));
-    }
+void set_regions(CheckView& view) {
+    const std::vector<std::uint32_t> regions(view.values.values.begin(),
+                                             view.values.values.end());
     for (const std::uint32_t region : regions) {
-        view.values.values.push_back(float(region));
         view.colours.push_back(category_colour(region));
     }
     view.swatches = frequent(regions, "");
@@ -141,55 +138,55 @@ void check_range(const ViewRequest& request) {
     }
 }
 
-CheckView view_of(const ViewRequest& request, const Generator& generator,
-                  const RestPlaces& rest, const ShownTime& shown, const Groom& groom,
-                  float aspect) {
-    const Binding& binding = generator.binding;
-    const ClassedGuides& classed = shown.state.classed;
-    const Blend blend = groom.expand.blend;
+CheckView view_of(const ViewRequest& request, const PluginGroom& plugin,
+                  const PluginStrands& strands, const ShownTime& shown,
+                  const Groom& groom, float aspect) {
     const CheckTolerances tolerances;
+    const auto figures = [&](int figure) {
+        return strands.figures(figure, 0, shown.curves);
+    };
     CheckView out;
     switch (request.view) {
         case View::length_error:
             out.title = "length error, relative";
-            out.values = length_error_values(check(binding, shown.state.guides, classed,
-                                                   shown.curves, blend,
-                                                   groom.bind.length_scale, tolerances));
+            out.values = figures(LANCRET_LENGTH_ERROR);
             out.scale = error_scale(tolerances.length);
             break;
         case View::orthogonality:
             out.title = "orthogonality of frames, |R^T R - I|";
-            out.values = orthogonality_values(binding, classed, blend);
+            out.values = figures(LANCRET_ORTHOGONALITY);
             out.scale = error_scale(tolerances.orthogonality);
             break;
         case View::curvature:
             out.title = "curvature, 1/cm";
-            out.values = curvature_values(binding, classed, blend);
+            out.values = figures(LANCRET_CURVATURE);
             out.scale = size_scale(Kind::sequential, out.values.values, 0);
             break;
         case View::torsion:
-            if (!has_torsion(blend)) {
+            if (!has_torsion(groom.expand.blend)) {
                 throw InputError(fmt::format(
                     "--view torsion: the blend {} carries frames without twist, and so "
                     "without torsion",
-                    blend_name(blend)));
+                    blend_name(groom.expand.blend)));
             }
             out.title = "torsion, 1/cm, right-handed above 0";
-            out.values = torsion_values(binding, classed, blend);
+            out.values = figures(LANCRET_TORSION);
             out.scale = size_scale(Kind::diverging, out.values.values, 0);
             break;
         case View::influence:
             out.title = fmt::format("influence of {} guides, mixed; most followed:",
-                                    shown.state.guides.size());
-            out.values = leading_guide_values(binding);
-            out.colours = influence_colours(binding);
-            out.swatches = frequent(std::vector<std::uint32_t>(out.values.values.begin(),
-                                                               out.values.values.end()),
-                                    "");
+                                    plugin.info().guides);
+            set_influence(out, strands.guides(), strands.size());
             break;
         case View::region:
+            if (!groom.regions.any()) {
+                throw InputError(fmt::format(
+                    "--view region: {} has no regions; its [regions] table names them",
+                    groom.name));
+            }
             out.title = "region, share of the strands";
-            set_regions(out, generator, rest);
+            out.values = figures(LANCRET_REGION);
+            set_regions(out);
             break;
         case View::penetration:
             if (!shown.body || shown.body->triangles.empty()) {
@@ -204,7 +201,7 @@ CheckView view_of(const ViewRequest& request, const Generator& generator,
             out.apart = strands_apart(out, shown.curves, &*shown.body, aspect);
             break;
     }
-    out.ids = binding.roots.ids;
+    out.ids = shown.curves.ids;
     if (request.range) {
         out.scale.low = float(request.range->x());
         out.scale.high = float(request.range->y());

@@ -42,12 +42,12 @@ struct ViewRequest {
 /// Throws InputError where the view has no scale or its scale cannot have the range.
 void check_range(const ViewRequest& request);
 
-/// The view of the children of one time, with the binding in the pose of that time;
-/// `aspect` is that of their section.
-/// Throws InputError where the groom has not what the view shows.
-CheckView view_of(const ViewRequest& request, const Generator& generator,
-                  const RestPlaces& rest, const ShownTime& shown, const Groom& groom,
-                  float aspect);
+/// The view of the strands at the first of their times, which is `shown`; `groom` says
+/// what it has, `aspect` is that of their section. Throws InputError where the groom has
+/// not what the view shows.
+CheckView view_of(const ViewRequest& request, const PluginGroom& plugin,
+                  const PluginStrands& strands, const ShownTime& shown,
+                  const Groom& groom, float aspect);
 
 /// Makes the view's scale that of the pictures to come, where nothing else was asked for.
 void keep_range(const CheckView& view, ViewRequest& request);

@@ -39,19 +39,34 @@ std::optional<T> whole_number(std::string_view text) {
     return value;
 }
 
-void lay_over(const GroomOptions& options, Groom& groom) {
-    if (!options.scalp.empty()) groom.scalp_file = options.scalp;
-    if (!options.guides.empty())
-        groom.guides = parse_guide_count(options.guides, "--guides");
-    if (!options.blend.empty()) groom.expand.blend = *blend_named(options.blend);
-    if (options.basis == "bspline") groom.basis = Basis::bspline;
-    if (options.basis == "catmull-rom") groom.basis = Basis::catmull_rom;
-    if (options.strands) groom.strands = *options.strands;
-    if (options.segments) groom.fit.segments = *options.segments;
-    if (options.intervals) groom.intervals = *options.intervals;
-    if (options.no_adapt) groom.adapt = false;
-    if (options.density) groom.density = *options.density;
-    if (options.seed) groom.seed = *options.seed;
+/// The options as values of the groom's file.
+std::vector<GroomParameter> parameters_of(const GroomOptions& options) {
+    constexpr double kTakenAway = std::numeric_limits<double>::quiet_NaN();
+    std::vector<GroomParameter> out;
+    const auto number = [&](const char* name, const auto& value) {
+        if (value) out.push_back({name, std::nullopt, double(*value)});
+    };
+    const auto text = [&](const char* name, const std::string& value) {
+        if (!value.empty()) out.push_back({name, value, 0});
+    };
+    if (!options.scalp.empty()) {
+        text("scalp.file", std::filesystem::absolute(options.scalp).string());
+    }
+    if (!options.guides.empty()) {
+        const GuideCount guides = parse_guide_count(options.guides, "--guides");
+        out.push_back({"guides.count", std::nullopt,
+                       guides.number ? double(*guides.number) : kTakenAway});
+        out.push_back({"guides.share", std::nullopt, guides.share.value_or(kTakenAway)});
+    }
+    text("strands.blend", options.blend);
+    text("guides.basis", options.basis);
+    number("strands.count", options.strands);
+    number("guides.segments", options.segments);
+    number("strands.intervals", options.intervals);
+    if (options.no_adapt) out.push_back({"strands.adapt", std::nullopt, 0});
+    number("strands.density", options.density);
+    if (options.seed) text("strands.seed", std::to_string(*options.seed));
+    return out;
 }
 
 }  // namespace
@@ -105,26 +120,21 @@ void add_groom_options(CLI::App& command, GroomOptions& options) {
 
 Job read_job(const GroomOptions& options) {
     Job job;
-    const std::string extension = options.input.extension().string();
-    const std::filesystem::path toml_file =
-        extension == ".h5" ? groom_of_cache(options.input) : options.input;
+    job.source.path = options.input;
+    job.source.parameters = parameters_of(options);
+    job.groom = read_groom_source(job.source).groom;
+    const std::filesystem::path toml_file = job.groom.name;
     if (toml_file.extension() == ".toml") {
+        // Once more, for the tables that are not the groom's.
         const TomlTable toml = TomlTable::from_file(toml_file);
-        job.groom = read_groom(toml, toml_file.string());
-        if (extension == ".h5") job.groom.guides_file = options.input;
+        for (const std::string_view key : kGroomTables) toml.leave(key);
         const QuietStderr quiet;  // the textures' errors are told by ours
         job.preview = read_preview_settings(toml, job.groom.scene.up.cast<float>());
         job.dynamics = read_dynamics(toml, job.groom.scene);
         toml.finish();
         std::ifstream file(toml_file, std::ios::binary);
         job.settings_text.assign(std::istreambuf_iterator<char>(file), {});
-    } else if (extension == ".hair" || extension == ".h5") {
-        job.groom = groom_of_file(options.input);
-    } else {
-        throw InputError(fmt::format("{}: a groom is a .toml, .hair or .h5 file",
-                                     options.input.string()));
     }
-    lay_over(options, job.groom);
     job.pose_at = head_pose(job.dynamics.motion, job.groom);
     const bool cached = !job.groom.guides_file.empty();
     if (cached || job.groom.strands_file.extension() == ".h5") {
@@ -195,45 +205,6 @@ CLI::Validator between(double low, double high) {
                             : fmt::format("'{}' is not from {} to {}", text, low, high);
             },
             fmt::format("{} to {}", low, high)};
-}
-
-void tell_warnings(const Generator& generator) {
-    for (const std::string& warning : generator.source.warnings) {
-        fmt::print(stderr, "lancret: warning: {}\n", warning);
-    }
-    const std::string roots = roots_line(generator.source);
-    if (!roots.empty()) fmt::print(stderr, "lancret: warning: {}\n", roots);
-}
-
-Generator run_generator(const Groom& groom) {
-    const auto check_points = [&](std::uint64_t strands, int intervals,
-                                  std::uint64_t points) {
-        if (points > std::numeric_limits<std::uint32_t>::max()) {
-            throw InputError(fmt::format(
-                "{}: {} strands of {} intervals have {} points, more than 2^32: ask for "
-                "fewer by --strands or --intervals",
-                groom.name, strands, intervals, points));
-        }
-    };
-    const auto points_of = [&](std::uint64_t strands, int intervals) {
-        return strands * control_points_of(groom.expand.basis, intervals);
-    };
-    const std::uint64_t asked = groom.strands.value_or(1);
-    const int least = groom.intervals.value_or(1);
-    check_points(asked, least, points_of(asked, least));
-    StageLine line;
-    Generator out = make_generator(groom, [&](const char* stage) { line.show(stage); });
-    line.clear();
-    std::uint64_t points = 0;
-    const std::vector<std::uint32_t> sizes = class_sizes(out.classes, out.binding);
-    for (std::size_t c = 0; c < sizes.size(); ++c) {
-        points += points_of(sizes[c], out.classes.counts[c]);
-    }
-    check_points(out.binding.size(), out.profiles.count, points);
-    tell_warnings(out);
-    fmt::print(stderr, "{}",
-               bind_table(out.binding.report, out.binding.size(), "lancret: "));
-    return out;
 }
 
 std::pair<int, int> parse_size(const std::string& text) {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "procedural/generator.h"
+#include "procedural/groom_source.h"
 #include "procedural/pose.h"
 #include "render_test/preview_settings.h"
 #include "tools/dynamics_settings.h"
@@ -35,6 +35,7 @@ void add_groom_options(CLI::App& command, GroomOptions& options);
 
 /// A groom and how to look at it.
 struct Job {
+    GroomSource source;  ///< what the groom was read from, options and all
     Groom groom;
     PreviewSettings preview;
     DynamicsSettings dynamics;
@@ -64,13 +65,6 @@ CLI::Validator between(double low, double high);
 /// For an option whose value is a seed: what is wrong with `text`, empty where nothing
 /// is.
 std::string is_seed(const std::string& text);
-
-/// make_generator with its stages on a terminal and its warnings on stderr. Throws
-/// InputError.
-Generator run_generator(const Groom& groom);
-
-/// What is worth telling of a groom's guides, on stderr.
-void tell_warnings(const Generator& generator);
 
 /// "1280x720"; throws InputError.
 std::pair<int, int> parse_size(const std::string& text);

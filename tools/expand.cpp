@@ -14,6 +14,7 @@
 #include "tools/command.h"
 #include "tools/expand_chunks.h"
 #include "tools/frames.h"
+#include "tools/generate.h"
 #include "tools/stats.h"
 
 namespace lancret {

@@ -1,19 +1,18 @@
 #pragma once
-// Level of detail by how large a chunk of hair is in the picture.
+// Level of detail of a preview: how large each chunk of strands is in its pictures.
 
 #include <span>
+#include <vector>
 
-#include "procedural/generator.h"
 #include "render_test/camera.h"
+#include "render_test/plugin_groom.h"
 
 namespace lancret {
 
-/// Leaves in each chunk of `generator`'s binding, at rest, about `strands_a_pixel`
-/// strands for each of the pixels (height of them down the picture) of the rectangle
-/// round its box where it is largest to one of the cameras; all of a chunk that reaches
-/// behind one. The box is that of a few of its strands: it decides how fine, and need not
-/// hold all. Throws InputError where nothing is left.
-void prune_by_size(Generator& generator, std::span<const Camera> cameras, int height,
-                   double strands_a_pixel);
+/// [chunks], pixels: the rectangle round what a camera sees of a chunk's box, of that
+/// camera which sees most of it. The box is of the groom's first time, so that nothing
+/// pops with time. Throws InputError.
+std::vector<double> chunk_pixels(const PluginGroom& groom,
+                                 std::span<const Camera> cameras, int height);
 
 }  // namespace lancret

@@ -9,8 +9,11 @@
 
 #include "guides/errors.h"
 #include "procedural/check_figures.h"
+#include "procedural/stopwatch.h"
 #include "render_test/contact_sheet.h"
+#include "tools/generate.h"
 #include "tools/lod.h"
+#include "tools/preview_groom.h"
 #include "tools/preview_options.h"
 #include "tools/stats.h"
 
@@ -20,11 +23,9 @@ namespace {
 
 /// One camera for all pictures, or one a view of a turntable. It looks at the rest pose
 /// and stays there, whatever frame is shown.
-std::vector<Camera> cameras_of(const Job& job, const Generator& generator,
+std::vector<Camera> cameras_of(const Job& job, const Eigen::AlignedBox3f& box,
                                std::size_t views) {
     const Vec3f up = job.groom.scene.up.cast<float>();
-    const Eigen::AlignedBox3f box =
-        extent(generator.profiles, generator.source.guides, job.groom.bind.length_scale);
     const Camera front = preview_camera(job.preview, box, up);
     std::vector<Camera> out(std::max<std::size_t>(views, 1), front);
     for (std::size_t view = 0; view < views; ++view) {
@@ -45,28 +46,44 @@ void add_cost(const PictureCost& cost, bool first, PictureCost& total) {
     total.bvh_bytes = std::max(total.bvh_bytes, cost.bvh_bytes);
 }
 
-void print_picture(const std::filesystem::path& output, const Generator& generator,
+void print_picture(const std::filesystem::path& output, const nlohmann::json& stats,
                    std::size_t strands, const PictureCost& cost) {
+    const nlohmann::json& seconds = stats.at("seconds");
     fmt::print(
         "{}: {} strands between {} guides; load {:.2f} s, fit {:.2f}, bind {:.2f}, "
         "expand {:.3f}, BVH {:.2f}, render {:.1f} ({:.2f} million rays/s); {:.0f} MB\n",
-        output.string(), strands, generator.source.guides.size(), generator.seconds.load,
-        generator.seconds.fit, generator.seconds.bind, cost.expand, cost.bvh, cost.render,
+        output.string(), strands, stats.at("guides").get<std::size_t>(),
+        seconds.at("load").get<double>(), seconds.at("fit").get<double>(),
+        seconds.at("bind").get<double>(), cost.expand, cost.bvh, cost.render,
         cost.render > 0 ? 1e-6 * double(cost.rays) / cost.render : 0.0,
         double(peak_rss()) / 1e6);
 }
 
-/// Has strands grown with the faces that elliptic ones need. Throws InputError.
-void ask_for_faces(Job& job) {
-    if (job.groom.expand.shape.value_or(CurveShape::flat) != CurveShape::flat ||
-        job.groom.expand.basis != CurveBasis::bspline) {
-        throw InputError(fmt::format(
-            "{}: 'aspect' of [material] is of strands that are drawn as 'flat' "
-            "B-splines; leave out 'shape' and 'curve' of [strands]",
-            job.groom.name));
+/// Throws InputError where strands cannot have the faces that elliptic ones need.
+void check_faces(const Job& job) {
+    if (job.groom.expand.shape.value_or(CurveShape::flat) == CurveShape::flat &&
+        job.groom.expand.basis == CurveBasis::bspline) {
+        return;
     }
-    job.groom.expand.shape = CurveShape::flat;
-    job.groom.expand.faces = true;
+    throw InputError(
+        fmt::format("{}: 'aspect' of [material] is of strands that are drawn as 'flat' "
+                    "B-splines; leave out 'shape' and 'curve' of [strands]",
+                    job.groom.name));
+}
+
+/// Binds the strands of a picture. Throws InputError where none is grown.
+std::unique_ptr<PluginStrands> bind_strands(const PluginGroom& groom,
+                                            const StrandRequest& request,
+                                            const Job& job) {
+    auto out = std::make_unique<PluginStrands>(groom, request);
+    if (out->size() > 0) return out;
+    const std::size_t all = groom.info().strands;
+    if (request.strands_a_pixel > 0) {
+        throw InputError(fmt::format("--lod: {} strands a pixel leave none of {} strands",
+                                     request.strands_a_pixel, all));
+    }
+    throw InputError(fmt::format("{}: of {} strands a density of {} leaves none",
+                                 job.groom.name, all, job.groom.density));
 }
 
 int preview(const PreviewOptions& options) {
@@ -77,12 +94,14 @@ int preview(const PreviewOptions& options) {
     lay_over(options, chosen, job.preview);
     std::optional<ViewRequest> request = view_request(options);
     const RenderSettings& settings = job.preview.render;
-    if (job.preview.hair.aspect < 1) ask_for_faces(job);
+    StrandRequest asked;
+    asked.faces = job.preview.hair.aspect < 1;
+    if (asked.faces) check_faces(job);
+    check_asked_points(job.groom);
 
-    Generator generator = run_generator(job.groom);
-    RestPlaces rest = prepare_frames(generator, chosen);
+    std::unique_ptr<PluginGroom> groom = open_groom(job);
     const std::size_t views = options.turntable ? outputs.size() : 0;
-    const std::vector<Camera> cameras = cameras_of(job, generator, views);
+    const std::vector<Camera> cameras = cameras_of(job, groom->box(), views);
     RenderScene scene;
     scene.hair = HairLook(job.preview.hair);
     scene.later_hair = later_hair(job.preview);
@@ -95,11 +114,12 @@ int preview(const PreviewOptions& options) {
     }
 
     if (options.lod) {
-        prune_by_size(generator, cameras, settings.height, *options.lod);
-        rest = rest_places(generator.binding, generator.source);
+        asked.pixels = chunk_pixels(*groom, cameras, settings.height);
+        asked.strands_a_pixel = *options.lod;
     }
 
-    nlohmann::json stats = generator_stats(generator), frames = nlohmann::json::array();
+    nlohmann::json stats, frames = nlohmann::json::array();
+    std::optional<CurveShape> shape = asked.faces ? CurveShape::flat : groom->shape();
     PictureCost total;
     std::vector<ShownTime> moments;
     std::vector<SceneTime> shown;
@@ -127,25 +147,35 @@ int preview(const PreviewOptions& options) {
         PictureCost cost;
         // Views of a turntable share all but the camera; frames that are alike, all.
         const bool still =
-            geometry && (views || as_before(moments, rest, chosen, times.frames, job));
+            geometry && (views || as_before(moments, *groom, times.frames));
         if (!still) {
             geometry.reset();
-            geometry.emplace(grow(generator, rest, chosen, times.frames, job, cameras,
-                                  moments, cost,
-                                  !request && (views || i + 1 == outputs.size())));
-            scene.geometry = &*geometry;
+            asked.times = times.frames;
+            Stopwatch watch;
+            auto strands = bind_strands(*groom, asked, job);
+            const double bind = watch.lap();
+            if (stats.empty()) {
+                tell_binding(*strands);
+                stats = groom_stats(*groom, *strands, bind);
+            }
+            moments = grow(*groom, *strands, times.frames, job, cameras, shape, cost);
             // Strands keep the shape that the first picture gave them: nothing pops.
-            job.groom.expand.shape = moments.front().curves.shape;
-            shown = scene_times(moments);
-            scene.times = shown;
+            shape = moments.front().curves.shape;
             if (request) {
-                view = view_of(*request, generator, rest, moments[0], job.groom,
+                view = view_of(*request, *groom, *strands, moments[0], job.groom,
                                job.preview.hair.aspect);
                 scene.view = &*view;
                 fmt::print("{}\n", view_line(*request, *view));
                 // The first picture's scale is that of all.
                 keep_range(*view, *request);
             }
+            // What only growing needs is let go before the BVH is built.
+            strands.reset();
+            if (views || i + 1 == outputs.size()) groom.reset();
+            geometry.emplace(scene_of(moments, job, cost));
+            scene.geometry = &*geometry;
+            shown = scene_times(moments);
+            scene.times = shown;
         }
         if (still && !views) {
             write_picture(outputs[i], image, job.preview.background);
@@ -170,8 +200,7 @@ int preview(const PreviewOptions& options) {
              {"still", still},
              {"seconds",
               {{"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
-        print_picture(outputs[i].picture, generator, moments.front().curves.strands,
-                      cost);
+        print_picture(outputs[i].picture, stats, moments.front().curves.strands, cost);
         std::fflush(stdout);
     }
     if (sheet) write_image(options.contact_sheet, sheet->image);

@@ -1,42 +1,20 @@
 #include "tools/preview_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
+#include "procedural/stopwatch.h"
 #include "render_test/denoise.h"
 #include "render_test/image_exr.h"
 #include "render_test/legend.h"
 #include "render_test/strand_width.h"
 #include "render_test/thin_strands.h"
 #include "tools/progress.h"
-#include "tools/stats.h"
 
 namespace lancret {
 
 namespace {
-
-/// What is seen of the head at that time.
-std::optional<TriangleMesh> body_of(const GroomGuides& source, const ScalpPose& pose) {
-    if (source.body) return posed_mesh(*source.body, pose);
-    if (source.scalp) return posed_mesh(source.scalp->mesh, pose);
-    return std::nullopt;
-}
-
-bool same(const Guides& a, const Guides& b) {
-    return a.segments == b.segments && a.root_positions == b.root_positions &&
-           a.root_frames == b.root_frames && a.segment_lengths == b.segment_lengths &&
-           a.curvatures == b.curvatures;
-}
-
-bool same(const ScalpPose& a, const ScalpPose& b) {
-    if (a.index() != b.index()) return false;
-    if (const auto* mesh = std::get_if<TriangleMesh>(&a)) {
-        return mesh->positions == std::get<TriangleMesh>(b).positions;
-    }
-    const auto& x = std::get<RigidPose>(a);
-    const auto& y = std::get<RigidPose>(b);
-    return x.rotation == y.rotation && x.translation == y.translation;
-}
 
 /// Strands that are wide in any picture are round, all of them and at all times.
 void choose_shape(std::span<const Camera> cameras, int height,
@@ -49,20 +27,6 @@ void choose_shape(std::span<const Camera> cameras, int height,
 }
 
 }  // namespace
-
-Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides,
-                           float length_scale) {
-    Eigen::AlignedBox3f box;
-    const std::size_t places = profiles.count + 1;
-    for (std::size_t g = 0; g < profiles.size(); ++g) {
-        const Vec3f root = guides.root_positions[g].cast<float>();
-        for (std::size_t i = 0; i < places; ++i) {
-            const Vec3f local = length_scale * profiles.positions[g * places + i];
-            box.extend(root + profiles.root_frames[g] * local);
-        }
-    }
-    return box;
-}
 
 std::vector<SceneTime> scene_times(const std::vector<ShownTime>& moments) {
     std::vector<SceneTime> out;
@@ -80,52 +44,45 @@ Channels channels_of(const PictureFiles& files, bool denoise) {
             .deep = !files.deep.empty()};
 }
 
-bool as_before(const std::vector<ShownTime>& moments, const RestPlaces& rest,
-               const ChosenFrames& chosen, const std::vector<double>& times,
-               const Job& job) {
+bool as_before(const std::vector<ShownTime>& moments, const PluginGroom& groom,
+               const std::vector<double>& times) {
     if (moments.size() != times.size()) return false;
-    for (std::size_t i = 0; i < times.size() && !chosen.cache.empty(); ++i) {
-        const ScalpPose pose = job.pose_at ? job.pose_at(times[i]) : ScalpPose();
-        if (!same(moments[i].state.pose, pose) ||
-            !same(moments[i].state.guides,
-                  guides_at(chosen, rest.guide_places, times[i]))) {
-            return false;
-        }
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (!groom.is_still(std::array{moments[i].frame, times[i]})) return false;
     }
     return true;
 }
 
-HairScene grow(Generator& generator, RestPlaces& rest, const ChosenFrames& chosen,
-               const std::vector<double>& times, const Job& job,
-               std::span<const Camera> cameras, std::vector<ShownTime>& moments,
-               PictureCost& cost, bool last) {
-    moments.clear();
-    for (const double frame : times) {
-        FrameState state = go_to_frame(generator, rest, chosen, frame);
-        Stopwatch watch;
-        Curves curves = expand(generator.binding, state.classed, job.groom.expand);
-        cost.expand += watch.lap();
-        std::optional<TriangleMesh> body = body_of(generator.source, state.pose);
-        moments.push_back({std::move(state), std::move(curves), std::move(body), {}});
+std::vector<ShownTime> grow(const PluginGroom& groom, const PluginStrands& strands,
+                            const std::vector<double>& times, const Job& job,
+                            std::span<const Camera> cameras,
+                            const std::optional<CurveShape>& shape, PictureCost& cost) {
+    Stopwatch watch;
+    std::vector<Curves> curves = strands.curves();
+    cost.expand = watch.lap();
+    std::vector<ShownTime> out;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (shape) curves[i].shape = *shape;
+        out.push_back({times[i], std::move(curves[i]), groom.head(times[i]), {}});
     }
-    if (!job.groom.expand.shape)
-        choose_shape(cameras, job.preview.render.height, moments);
-    for (ShownTime& m : moments) {
+    const int height = job.preview.render.height;
+    if (!shape) choose_shape(cameras, height, out);
+    for (ShownTime& m : out) {
         if (!(job.preview.least_width > 0)) break;
-        m.true_radii = widen_thin_strands(m.curves, cameras, job.preview.render.height,
-                                          job.preview.least_width);
+        m.true_radii =
+            widen_thin_strands(m.curves, cameras, height, job.preview.least_width);
     }
-    if (last) {
-        generator.binding = generator.sample = {};
-        for (ShownTime& m : moments) m.state.classed = {};
-        rest = {};
-    }
-    HairScene geometry(scene_times(moments), {.true_radii = moments.front().true_radii,
-                                              .crease = job.preview.crease,
-                                              .aspect = job.preview.hair.aspect});
-    cost.bvh = geometry.build_seconds();
-    cost.bvh_bytes = geometry.bvh_bytes();
-    return geometry;
+    return out;
+}
+
+HairScene scene_of(const std::vector<ShownTime>& moments, const Job& job,
+                   PictureCost& cost) {
+    HairScene out(scene_times(moments), {.true_radii = moments.front().true_radii,
+                                         .crease = job.preview.crease,
+                                         .aspect = job.preview.hair.aspect});
+    cost.bvh = out.build_seconds();
+    cost.bvh_bytes = out.bvh_bytes();
+    return out;
 }
 
 void write_picture(const PictureFiles& files, const Image& image,

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "render_test/plugin_strands.h"
 #include "render_test/preview_settings.h"
-#include "tools/frames.h"
+#include "tools/command.h"
 
 namespace lancret {
 
@@ -30,15 +31,11 @@ struct PictureFiles {
 
 /// The children and the head at each time of a shutter.
 struct ShownTime {
-    FrameState state;
+    double frame = 0;
     Curves curves;
     std::optional<TriangleMesh> body;
     std::vector<float> true_radii;  ///< of thin strands drawn wider, else empty
 };
-
-/// The box of the guides: what a groom means to be, whatever a stray child does.
-Eigen::AlignedBox3f extent(const GuideProfiles<float>& profiles, const Guides& guides,
-                           float length_scale);
 
 /// The times of a scene of these moments, which must outlive them.
 std::vector<SceneTime> scene_times(const std::vector<ShownTime>& moments);
@@ -46,20 +43,22 @@ std::vector<SceneTime> scene_times(const std::vector<ShownTime>& moments);
 /// The layers that a picture's files hold and `denoise` needs.
 Channels channels_of(const PictureFiles& files, bool denoise);
 
-/// Grows the children at the moments of a picture, one without motion blur, and makes
-/// them ready for any number of views; `cameras` are those that a thin strand is drawn
-/// wide enough for. `moments` must outlive what it gives. Where this is the `last` time,
-/// what only growing needs is let go before the BVH is built. Throws InputError.
-HairScene grow(Generator& generator, RestPlaces& rest, const ChosenFrames& chosen,
-               const std::vector<double>& times, const Job& job,
-               std::span<const Camera> cameras, std::vector<ShownTime>& moments,
-               PictureCost& cost, bool last);
+/// Grows the children at the `times` of a picture, one without motion blur; `cameras` are
+/// those that a thin strand is drawn wide enough for, in strands of `shape` (none: as
+/// wide strands need). Throws InputError.
+std::vector<ShownTime> grow(const PluginGroom& groom, const PluginStrands& strands,
+                            const std::vector<double>& times, const Job& job,
+                            std::span<const Camera> cameras,
+                            const std::optional<CurveShape>& shape, PictureCost& cost);
+
+/// Makes what was grown ready for any number of views; `moments` must outlive it.
+HairScene scene_of(const std::vector<ShownTime>& moments, const Job& job,
+                   PictureCost& cost);
 
 /// Whether guides and head are at `times` just where they were when `moments` were grown,
-/// so that what grow gave can be shown again. Throws InputError.
-bool as_before(const std::vector<ShownTime>& moments, const RestPlaces& rest,
-               const ChosenFrames& chosen, const std::vector<double>& times,
-               const Job& job);
+/// so that these can be shown again. Throws InputError.
+bool as_before(const std::vector<ShownTime>& moments, const PluginGroom& groom,
+               const std::vector<double>& times);
 
 /// Writes a picture's files, its deep one where it has one. Throws InputError.
 void write_picture(const PictureFiles& files, const Image& image,

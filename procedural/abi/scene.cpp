@@ -24,8 +24,8 @@ TriangleMesh head_at(const Prepared& groom, double time) {
     const TriangleMesh& rest = source.body ? *source.body : source.scalp->mesh;
     const GroomTimes& times = groom.times();
     const bool on_head = times.moves() && times.pose_at;
-    return posed_mesh(rest, on_head ? times.pose_at(groom.frame_at(time))
-                                    : ScalpPose(RigidPose{}));
+    return posed_mesh(
+        rest, on_head ? times.pose_at(groom.frame_at(time)) : ScalpPose(RigidPose{}));
 }
 
 lancret_mesh view_of(const TriangleMesh& mesh) {
@@ -81,7 +81,7 @@ lancret_status lancret_is_still(const lancret_groom* groom, const double* times,
             require(std::isfinite(times[i]), "a time is not finite");
             frames.push_back(groom->own->frame_at(times[i]));
         }
-        *still = is_still(groom->own->times(), groom->own->generator().source.places,
-                          frames);
+        *still =
+            is_still(groom->own->times(), groom->own->generator().source.places, frames);
     });
 }

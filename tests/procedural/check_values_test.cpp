@@ -101,22 +101,5 @@ TEST(CheckValues, WhatIsNoNumberIsTheLargest) {
         EXPECT_EQ(value, std::numeric_limits<float>::max());
 }
 
-TEST(CheckValues, TheLeadingGuideIsTheHeaviest) {
-    const Checked made;
-    const Binding& binding = made.hair.binding;
-    const StrandValues values = leading_guide_values(binding);
-    ASSERT_EQ(values.strands(), 80u);
-    const auto n = std::size_t(binding.neighbours);
-    for (std::size_t i = 0; i < 80; ++i) {
-        float own = 0, most = 0;
-        for (std::size_t k = i * n; k < (i + 1) * n; ++k) {
-            most = std::max(most, binding.weights[k]);
-            if (float(binding.guides[k]) == values.values[i])
-                own = std::max(own, binding.weights[k]);
-        }
-        EXPECT_EQ(own, most) << i;
-    }
-}
-
 }  // namespace
 }  // namespace lancret

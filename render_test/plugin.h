@@ -1,0 +1,52 @@
+#pragma once
+// The library that strands come from, loaded by its name: the path tracer is a host of
+// the C interface like any other, and links nothing of what is behind it.
+
+#include <filesystem>
+#include <memory>
+
+#include "procedural/lancret_procedural.h"
+
+namespace lancret {
+
+/// The interface's functions as the library has them.
+struct PluginFunctions {
+    decltype(&lancret_version) version = nullptr;
+    decltype(&lancret_abi_version) abi_version = nullptr;
+    decltype(&lancret_create) create = nullptr;
+    decltype(&lancret_destroy) destroy = nullptr;
+    decltype(&lancret_open) open = nullptr;
+    decltype(&lancret_close) close = nullptr;
+    decltype(&lancret_get_info) get_info = nullptr;
+    decltype(&lancret_describe) describe = nullptr;
+    decltype(&lancret_get_head) get_head = nullptr;
+    decltype(&lancret_is_still) is_still = nullptr;
+    decltype(&lancret_bound) bound = nullptr;
+    decltype(&lancret_chunk_open) chunk_open = nullptr;
+    decltype(&lancret_chunk_sizes) chunk_sizes = nullptr;
+    decltype(&lancret_chunk_write) chunk_write = nullptr;
+    decltype(&lancret_chunk_close) chunk_close = nullptr;
+    decltype(&lancret_get_chunk_info) get_chunk_info = nullptr;
+    decltype(&lancret_chunk_figures) chunk_figures = nullptr;
+};
+
+/// A library that is loaded, as long as this lives.
+class Plugin {
+  public:
+    /// $LANCRET_LIBRARY where that is said, else the library that was installed or built
+    /// with the program. Throws InputError where it cannot be loaded, lacks a function or
+    /// has another version of the interface.
+    Plugin();
+
+    const PluginFunctions* operator->() const { return &functions_; }
+
+  private:
+    struct Unload {
+        void operator()(void* library) const;
+    };
+
+    std::unique_ptr<void, Unload> library_;
+    PluginFunctions functions_;
+};
+
+}  // namespace lancret

@@ -1,0 +1,164 @@
+/* A plugin that knows nothing of hair: whatever it is asked to open, it gives as many posts
+ * as strands.count says, 10 cm high and 1 cm wide, 2 cm apart along x, with ids from 1000
+ * on. What a picture shows of them can have come from nowhere else. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "procedural/lancret_procedural.h"
+
+enum { kPoints = 5, kSegments = 2, kFirstId = 1000 };
+
+struct lancret_context {
+    int unused;
+};
+struct lancret_groom {
+    lancret_u32 posts;
+};
+struct lancret_chunk {
+    lancret_u32 posts;
+};
+
+const char *lancret_version(void) { return "other"; }
+
+int lancret_abi_version(void) {
+    const char *said = getenv("OTHER_PLUGIN_VERSION");
+    return said ? atoi(said) : LANCRET_ABI_VERSION;
+}
+
+lancret_status lancret_create(int abi_version, const lancret_host *host,
+                              lancret_context **context) {
+    (void)abi_version;
+    (void)host;
+    *context = calloc(1, sizeof **context);
+    return LANCRET_OK;
+}
+
+void lancret_destroy(lancret_context *context) { free(context); }
+
+lancret_status lancret_open(lancret_context *context, const lancret_source *source,
+                            lancret_groom **groom, char *error, size_t error_size) {
+    size_t i;
+    (void)context;
+    (void)error;
+    (void)error_size;
+    *groom = calloc(1, sizeof **groom);
+    for (i = 0; i < source->parameter_count; ++i) {
+        const lancret_parameter *p = &source->parameters[i];
+        if (strcmp(p->name, "strands.count") == 0) (*groom)->posts = (lancret_u32)p->number;
+    }
+    return LANCRET_OK;
+}
+
+void lancret_close(lancret_groom *groom) { free(groom); }
+
+static void put_box(lancret_u32 posts, float box[6]) {
+    box[0] = box[2] = -0.5f;
+    box[1] = 0;
+    box[3] = 2 * (float)posts - 1.5f;
+    box[4] = 10;
+    box[5] = 0.5f;
+}
+
+lancret_status lancret_get_info(const lancret_groom *groom, lancret_info *info) {
+    size_t size = info->size;
+    memset(info, 0, size);
+    info->size = size;
+    info->chunks = info->guides = info->segments = info->neighbours = 1;
+    info->strands = groom->posts;
+    info->intervals = kSegments;
+    info->basis = LANCRET_BSPLINE;
+    info->shape = LANCRET_FLAT;
+    info->cm_per_unit = info->up[1] = 1;
+    put_box(groom->posts, info->box);
+    return LANCRET_OK;
+}
+
+lancret_status lancret_describe(const lancret_groom *groom, lancret_text_sink sink,
+                                void *user) {
+    (void)groom;
+    sink(user, "{\"guides\": 1}");
+    return LANCRET_OK;
+}
+
+lancret_status lancret_get_head(const lancret_groom *groom, double time,
+                                lancret_mesh_sink sink, void *user) {
+    lancret_mesh none;
+    (void)groom;
+    (void)time;
+    memset(&none, 0, sizeof none);
+    none.size = sizeof none;
+    return sink(user, &none);
+}
+
+lancret_status lancret_is_still(const lancret_groom *groom, const double *times,
+                                size_t time_count, int *still) {
+    (void)groom;
+    (void)times;
+    (void)time_count;
+    *still = 1;
+    return LANCRET_OK;
+}
+
+lancret_status lancret_bound(const lancret_groom *groom, lancret_u32 chunk,
+                             const lancret_options *options, int kind, float box[6]) {
+    (void)chunk;
+    (void)options;
+    (void)kind;
+    put_box(groom->posts, box);
+    return LANCRET_OK;
+}
+
+lancret_status lancret_chunk_open(const lancret_groom *groom, lancret_u32 chunk,
+                                  const lancret_options *options, lancret_chunk **bound) {
+    (void)chunk;
+    (void)options;
+    *bound = calloc(1, sizeof **bound);
+    (*bound)->posts = groom->posts;
+    return LANCRET_OK;
+}
+
+lancret_status lancret_chunk_sizes(const lancret_chunk *bound, lancret_curves *sizes) {
+    size_t size = sizes->size;
+    memset(sizes, 0, size);
+    sizes->size = size;
+    sizes->basis = LANCRET_BSPLINE;
+    sizes->strands = bound->posts;
+    sizes->points = bound->posts * kPoints;
+    sizes->times = sizes->neighbours = 1;
+    return LANCRET_OK;
+}
+
+lancret_status lancret_chunk_write(const lancret_chunk *bound, const lancret_curves *to) {
+    lancret_u32 i, j;
+    for (i = 0; i < bound->posts; ++i) {
+        ((lancret_u32 *)to->counts)[i] = kPoints;
+        ((lancret_u32 *)to->ids)[i] = kFirstId + i;
+        for (j = 0; j < kPoints; ++j) {
+            float *p = (float *)to->positions[0] + 4 * (i * kPoints + j);
+            p[0] = 2 * (float)i;
+            p[1] = 5 * ((float)j - 1); /* from a segment below to one above */
+            p[2] = 0;
+            p[3] = 0.5f;
+        }
+    }
+    return LANCRET_OK;
+}
+
+void lancret_chunk_close(lancret_chunk *bound) { free(bound); }
+
+lancret_status lancret_get_chunk_info(const lancret_chunk *bound, lancret_chunk_info *info) {
+    size_t size = info->size;
+    memset(info, 0, size);
+    info->size = size;
+    info->strands = bound->posts;
+    return LANCRET_OK;
+}
+
+lancret_status lancret_chunk_figures(const lancret_chunk *bound, int figure, size_t time,
+                                     float *values) {
+    lancret_u32 i;
+    (void)figure;
+    (void)time;
+    for (i = 0; i < bound->posts * kSegments; ++i) values[i] = 0.25f;
+    return LANCRET_OK;
+}
