@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "guides/cancel.h"
-#include "procedural/candidates.h"
+#include "procedural/bound_guides.h"
 #include "procedural/weights.h"
 
 namespace lancret {
@@ -30,37 +30,18 @@ BindReport& BindReport::operator+=(const BindReport& more) {
 
 namespace {
 
-/// Bending below this many radians on every segment, a guide is straight.
-constexpr double kStraight = 1e-9;
-
-bool is_straight(const Guides& guides, std::size_t g) {
-    const std::size_t n = std::size_t(guides.segments);
-    for (std::size_t q = g * n; q < (g + 1) * n; ++q) {
-        const Vec3& u = guides.curvatures[q];
-        if (std::hypot(u.y(), u.z()) * guides.segment_lengths[q] > kStraight)
-            return false;
-    }
-    return true;
-}
-
-/// A guide as binding reads it.
-struct BoundGuide {
-    double length;  ///< cm
-    bool straight;
-};
-
 /// Binds the children of a range, one after the other.
 class Binder {
   public:
-    Binder(Binding& binding, const Guides& guides, const std::vector<BoundGuide>& bound,
-           const GuideIndex& index, const BindSettings& settings,
-           const BindBorders& borders)
+    Binder(Binding& binding, const Guides& guides, const BoundGuides& bound,
+           const BindSettings& settings, const BindBorders& borders)
         : binding_(binding),
           guides_(guides),
           bound_(bound),
           settings_(settings),
           borders_(borders),
-          finder_(index, guides, binding.guide_normals, settings, borders.partings) {}
+          finder_(bound.index(), guides, binding.guide_normals, settings,
+                  borders.partings) {}
 
     void bind_child(std::size_t i, BindReport& report) {
         const std::size_t k = std::size_t(binding_.neighbours);
@@ -78,8 +59,8 @@ class Binder {
         double length = 0;
         bool straight = true;
         for (std::size_t j = 0; j < k; ++j) {
-            length += double(weights[j]) * bound_[chosen[j]].length;
-            straight = straight && (weights[j] == 0 || bound_[chosen[j]].straight);
+            length += double(weights[j]) * bound_.length(chosen[j]);
+            straight = straight && (weights[j] == 0 || bound_.straight(chosen[j]));
         }
         binding_.lengths[i] = float(length * settings_.length_scale);
         report.straight_guides += straight;
@@ -145,7 +126,7 @@ class Binder {
 
     Binding& binding_;
     const Guides& guides_;
-    const std::vector<BoundGuide>& bound_;
+    const BoundGuides& bound_;
     const BindSettings& settings_;
     const BindBorders& borders_;
     CandidateFinder finder_;
@@ -174,6 +155,15 @@ void check(const Roots& roots, const Guides& guides, const BindSettings& setting
 Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals,
              const BindSettings& settings, const BindBorders& borders) {
     check(roots, guides, settings, borders);
+    const BoundGuides bound(guides, borders.guide_regions);
+    return bind(std::move(roots), guides, bound, std::move(guide_normals), settings,
+                borders);
+}
+
+Binding bind(Roots roots, const Guides& guides, const BoundGuides& bound,
+             std::vector<Vec3f> guide_normals, const BindSettings& settings,
+             const BindBorders& borders) {
+    check(roots, guides, settings, borders);
     Binding out;
     const std::size_t k = std::min<std::size_t>(settings.neighbours, guides.size());
     const std::size_t children = roots.size();
@@ -184,15 +174,10 @@ Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals
     out.weights.resize(children * k);
     out.lengths.resize(children);
 
-    std::vector<BoundGuide> bound;
-    for (std::size_t g = 0; g < guides.size(); ++g) {
-        bound.push_back({guide_length(guides, g), is_straight(guides, g)});
-    }
-    const GuideIndex index(guides.root_positions, borders.guide_regions);
     out.report = cancellable_reduce(
         tbb::blocked_range<std::size_t>(0, children, 1024), BindReport(),
         [&](const tbb::blocked_range<std::size_t>& range, BindReport report) {
-            Binder binder(out, guides, bound, index, settings, borders);
+            Binder binder(out, guides, bound, settings, borders);
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 binder.bind_child(i, report);
             }

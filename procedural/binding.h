@@ -13,6 +13,7 @@
 
 namespace lancret {
 
+class BoundGuides;
 class Partings;
 
 struct BindSettings {
@@ -83,6 +84,11 @@ struct Binding {
 /// guides, or settings or borders do not fit.
 Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals,
              const BindSettings& settings, const BindBorders& borders = {});
+
+/// The same, where `bound` was made of these guides and borders.guide_regions before.
+Binding bind(Roots roots, const Guides& guides, const BoundGuides& bound,
+             std::vector<Vec3f> guide_normals, const BindSettings& settings,
+             const BindBorders& borders = {});
 
 /// Some of a binding's children, in the order of `which`, with the bits that they have
 /// there and an empty report.

@@ -71,8 +71,8 @@ Binding bind_children(const Groom& groom, const GroomGuides& source, Roots roots
     borders.child_regions = child_regions(source.regions, source.grown_roots, roots);
     const Partings partings(source.partings);
     if (partings.size() > 0) borders.partings = &partings;
-    return lancret::bind(std::move(roots), source.guides, source.normals, groom.bind,
-                         borders);
+    return lancret::bind(std::move(roots), source.guides, *source.bound, source.normals,
+                         groom.bind, borders);
 }
 
 Binding sample_of_children(const Groom& groom, const GroomGuides& source,

@@ -67,6 +67,11 @@ void read_guides(const TomlTable& guides, Groom& out) {
     }
     set(out.guides.number, guides.integer("count", 1, kMostStrands));
     set(out.guides.share, guides.number("share", 0, 1));
+    // What a caller says takes the place of what the file says.
+    const bool own_count = guides.is_laid_over("count"),
+               own_share = guides.is_laid_over("share");
+    if (own_count && !own_share) out.guides.share.reset();
+    if (own_share && !own_count) out.guides.number.reset();
     if (out.guides.number && out.guides.share) {
         guides.fail("share", "guides are chosen by 'count' or by 'share', not both");
     }

@@ -14,6 +14,7 @@
 #include "guides/hair_file.h"
 #include "guides/made_lawn.h"
 #include "guides/obj_file.h"
+#include "procedural/bound_guides.h"
 #include "procedural/stopwatch.h"
 
 namespace lancret {
@@ -226,6 +227,7 @@ GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
         out.guide_regions = out.regions.strands;
         out.partings = groom_partings(groom, {}, out.scalp, out.warnings);
         stand_on_scalp(out);
+        out.bound = std::make_shared<BoundGuides>(out.guides, out.guide_regions);
         out.seconds.load = watch.lap();
         return out;
     }
@@ -259,6 +261,7 @@ GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
                                        out.guides.root_positions);
     }
     stand_on_scalp(out);
+    out.bound = std::make_shared<BoundGuides>(out.guides, out.guide_regions);
     out.grown_roots = roots.positions;
     out.grown_tangents = roots.tangents;
     out.seconds.fit = watch.lap();

@@ -2,6 +2,7 @@
 // From a groom's files to guides that stand on its scalp.
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct GroomGuides {
     std::vector<Vec3> grown_tangents;  ///< there
     Regions regions;                   ///< of the groom's strands
     std::vector<std::uint32_t> guide_regions;  ///< [guides], or empty: all are one
+    std::shared_ptr<const BoundGuides> bound;  ///< the guides as binding reads them
     std::vector<Polyline> partings;            ///< cm, on the scalp where there is one
     StageSeconds seconds;                      ///< load and fit
     std::size_t groom_strands = 0;             ///< in the groom's file

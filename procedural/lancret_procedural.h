@@ -96,9 +96,10 @@ LANCRET_API void lancret_destroy(lancret_context* context);
 /* ---- grooms --------------------------------------------------------------------- */
 
 /* A value laid over the groom's own: name "strands.count", "guides.file", ... as in its
- * TOML; text where it is a string, else null and number (booleans 0 and 1; NaN takes away
- * what the groom says; a seed beyond 2^53 is a text of digits). Lists can only be said in
- * the TOML. What is wrong is told as of the file, without a line. */
+ * TOML; text where it is a string, else null and number (booleans 0 and 1; a seed beyond
+ * 2^53 is a text of digits). guides.count takes the place of a share that the groom says,
+ * and the other way round. Lists can only be said in the TOML. What is wrong is told as
+ * of the file, without a line. */
 typedef struct lancret_parameter {
     const char* name;
     const char* text;

@@ -27,8 +27,8 @@ class TomlTable {
 
     /// Lays a value over what the file says, as if it stood there: `name` is
     /// "strands.count", of this table. Numbers also serve as booleans, 0 and 1, texts as
-    /// seeds; NaN takes away what the file says. To be done before anything is read.
-    /// Throws InputError where the name is none.
+    /// seeds. To be done before anything is read. Throws InputError where the name is
+    /// none.
     void lay_over(std::string_view name, std::string_view text);
     void lay_over(std::string_view name, double number);
     /// Leaves the table or list under `key` to somebody else.
@@ -41,6 +41,8 @@ class TomlTable {
     /// else, or where not all that it holds are tables.
     std::vector<TomlTable> tables(std::string_view key) const;
     bool has(std::string_view key) const;
+    /// Whether the value under `key` was laid over what the file says.
+    bool is_laid_over(std::string_view key) const;
 
     /// The value under `key`, nothing where there is none. An error where it is of
     /// another type or outside [low, high].

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <type_traits>
 
 #include "guides/errors.h"
 #include "procedural/toml_table_node.h"
@@ -11,19 +10,23 @@ namespace lancret {
 
 namespace {
 
-bool is_laid_over(const toml::node& value) { return value.source().begin.line == 0; }
+bool was_laid_over(const toml::node& value) { return value.source().begin.line == 0; }
 
 }  // namespace
 
+bool TomlTable::is_laid_over(std::string_view key) const {
+    return has(key) && was_laid_over(*node_->table->get(key));
+}
+
 std::optional<bool> parameter_bit(const toml::node& value) {
-    if (!is_laid_over(value) || !value.is_integer()) return std::nullopt;
+    if (!was_laid_over(value) || !value.is_integer()) return std::nullopt;
     const std::int64_t number = value.as_integer()->get();
     if (number != 0 && number != 1) return std::nullopt;
     return number == 1;
 }
 
 std::optional<std::uint64_t> parameter_seed(const toml::node& value) {
-    if (!is_laid_over(value) || !value.is_string()) return std::nullopt;
+    if (!was_laid_over(value) || !value.is_string()) return std::nullopt;
     const std::string& text = value.as_string()->get();
     const char* const end = text.data() + text.size();
     std::uint64_t number = 0;
@@ -52,9 +55,6 @@ void TomlTable::lay_value_over(std::string_view name, const T& value) {
     if (rest.empty()) refuse("is no name; expected one such as 'strands.count'");
     // Gone first, so that its line is not taken for that of the value.
     table->erase(rest);
-    if constexpr (std::is_same_v<T, double>) {
-        if (std::isnan(value)) return;
-    }
     table->insert(rest, value);
 }
 

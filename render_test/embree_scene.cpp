@@ -6,6 +6,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -186,6 +187,28 @@ struct HairScene::Impl {
     }
 };
 
+namespace {
+
+/// Builds the BVH and tells how far it is.
+void commit(RTCScene scene, const std::function<void(double)>& progress) {
+    struct Monitor {
+        const std::function<void(double)>& tell;
+        std::mutex mutex;
+    } monitor{progress, {}};
+    const auto tell = [](void* to, double done) {
+        auto& own = *static_cast<Monitor*>(to);
+        // Who finds another telling leaves it at that.
+        const std::unique_lock lock(own.mutex, std::try_to_lock);
+        if (lock) own.tell(std::clamp(done, 0.0, 1.0));
+        return true;
+    };
+    if (progress) rtcSetSceneProgressMonitorFunction(scene, tell, &monitor);
+    rtcCommitScene(scene);
+    rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+}
+
+}  // namespace
+
 HairScene::HairScene(const Curves& curves, const TriangleMesh* mesh,
                      const HairSceneOptions& options)
     : HairScene(std::array{SceneTime{&curves, mesh}}, options) {}
@@ -235,7 +258,7 @@ HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& o
                     time.mesh->triangles, time.mesh->positions, options.crease));
         impl_->add_mesh();
     }
-    rtcCommitScene(impl_->scene);
+    commit(impl_->scene, options.progress);
     impl_->check("building");
     impl_->build_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -2,6 +2,7 @@
 // Strands and a mesh as rays see them: the only file that knows Embree.
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -76,6 +77,9 @@ struct HairSceneOptions {
     /// From this many segments on, those of all times counted, the BVH is Embree's
     /// compact one: half the memory (67 bytes a segment of 140), and rays a third slower.
     std::size_t compact_from = std::size_t(16) << 20;
+    /// Called as the BVH is built with the share that is done, 0 to 1: from any thread,
+    /// one at a time.
+    std::function<void(double)> progress = {};
 };
 
 /// What there is at one time.

@@ -95,8 +95,8 @@ Eigen::AlignedBox3f PluginGroom::box() const { return box_of(info_.box); }
 std::string PluginGroom::description() const {
     std::string out;
     must(plugin_->describe(
-        groom_,
-        [](void* to, const char* text) { *static_cast<std::string*>(to) = text; }, &out));
+        groom_, [](void* to, const char* text) { *static_cast<std::string*>(to) = text; },
+        &out));
     return out;
 }
 

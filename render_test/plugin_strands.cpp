@@ -171,8 +171,8 @@ StrandValues PluginStrands::figures(int figure, std::size_t time,
     out.values.resize(out.first.empty() ? strands_ : out.first.back());
     each_chunk([&](const Chunk& chunk) {
         if (chunk.sizes.strands == 0) return;
-        const std::size_t first = out.first.empty() ? chunk.strand
-                                                    : out.first[chunk.strand];
+        const std::size_t first =
+            out.first.empty() ? chunk.strand : out.first[chunk.strand];
         groom_.must(groom_.plugin()->chunk_figures(chunk.handle, figure, time,
                                                    out.values.data() + first));
     });

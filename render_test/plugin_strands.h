@@ -14,8 +14,8 @@ namespace lancret {
 
 /// What is asked of all chunks.
 struct StrandRequest {
-    std::vector<double> times;   ///< frames, at least one
-    bool faces = false;          ///< normals of strands that are no ribbons, which have them
+    std::vector<double> times;  ///< frames, at least one
+    bool faces = false;  ///< normals of strands that are no ribbons, which have them
     std::vector<double> pixels;  ///< [chunks] that each covers, for:
     double strands_a_pixel = 0;  ///< at most so many; 0: no level of detail
 };

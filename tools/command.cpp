@@ -41,7 +41,6 @@ std::optional<T> whole_number(std::string_view text) {
 
 /// The options as values of the groom's file.
 std::vector<GroomParameter> parameters_of(const GroomOptions& options) {
-    constexpr double kTakenAway = std::numeric_limits<double>::quiet_NaN();
     std::vector<GroomParameter> out;
     const auto number = [&](const char* name, const auto& value) {
         if (value) out.push_back({name, std::nullopt, double(*value)});
@@ -54,9 +53,8 @@ std::vector<GroomParameter> parameters_of(const GroomOptions& options) {
     }
     if (!options.guides.empty()) {
         const GuideCount guides = parse_guide_count(options.guides, "--guides");
-        out.push_back({"guides.count", std::nullopt,
-                       guides.number ? double(*guides.number) : kTakenAway});
-        out.push_back({"guides.share", std::nullopt, guides.share.value_or(kTakenAway)});
+        number("guides.count", guides.number);
+        number("guides.share", guides.share);
     }
     text("strands.blend", options.blend);
     text("guides.basis", options.basis);

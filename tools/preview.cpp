@@ -15,6 +15,7 @@
 #include "tools/lod.h"
 #include "tools/preview_groom.h"
 #include "tools/preview_options.h"
+#include "tools/progress.h"
 #include "tools/stats.h"
 
 namespace lancret {
@@ -75,7 +76,10 @@ void check_faces(const Job& job) {
 std::unique_ptr<PluginStrands> bind_strands(const PluginGroom& groom,
                                             const StrandRequest& request,
                                             const Job& job) {
+    StageLine line;
+    line.show("bind");
     auto out = std::make_unique<PluginStrands>(groom, request);
+    line.clear();
     if (out->size() > 0) return out;
     const std::size_t all = groom.info().strands;
     if (request.strands_a_pixel > 0) {

@@ -57,9 +57,12 @@ std::vector<ShownTime> grow(const PluginGroom& groom, const PluginStrands& stran
                             const std::vector<double>& times, const Job& job,
                             std::span<const Camera> cameras,
                             const std::optional<CurveShape>& shape, PictureCost& cost) {
+    StageLine line;
+    line.show("expand");
     Stopwatch watch;
     std::vector<Curves> curves = strands.curves();
     cost.expand = watch.lap();
+    line.clear();
     std::vector<ShownTime> out;
     for (std::size_t i = 0; i < times.size(); ++i) {
         if (shape) curves[i].shape = *shape;
@@ -77,9 +80,12 @@ std::vector<ShownTime> grow(const PluginGroom& groom, const PluginStrands& stran
 
 HairScene scene_of(const std::vector<ShownTime>& moments, const Job& job,
                    PictureCost& cost) {
-    HairScene out(scene_times(moments), {.true_radii = moments.front().true_radii,
-                                         .crease = job.preview.crease,
-                                         .aspect = job.preview.hair.aspect});
+    ProgressBar bar("BVH");
+    HairScene out(scene_times(moments),
+                  {.true_radii = moments.front().true_radii,
+                   .crease = job.preview.crease,
+                   .aspect = job.preview.hair.aspect,
+                   .progress = [&](double done) { bar.show(done); }});
     cost.bvh = out.build_seconds();
     cost.bvh_bytes = out.bvh_bytes();
     return out;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -62,6 +63,22 @@ TEST(HairScene, FlatStraightStrandIsHitWhereTheRibbonIs) {
             EXPECT_TRUE(scene.occluded(ray_to(from, target)));
         }
     }
+}
+
+TEST(HairScene, BuildingTellsHowFarItIs) {
+    std::vector<std::vector<Vec3f>> rows;
+    for (int s = 0; s < 20000; ++s) {
+        rows.emplace_back();
+        for (int i = 0; i <= 4; ++i) rows.back().emplace_back(float(i), 0.01f * s, 2);
+    }
+    const Curves curves = curves_through(rows, 0.1f);
+    std::vector<double> told;
+    const HairScene scene(
+        curves, nullptr,
+        {.true_radii = {}, .progress = [&](double done) { told.push_back(done); }});
+    EXPECT_GT(told.size(), 2u);
+    for (const double done : told) EXPECT_TRUE(done >= 0 && done <= 1) << done;
+    EXPECT_GT(*std::ranges::max_element(told), 0.5);
 }
 
 TEST(HairScene, RaysBesideARibbonMiss) {

@@ -20,9 +20,10 @@ struct SmallGroom : TemporaryFolder {
     std::string file = (*this / "small.toml").string();
 
     explicit SmallGroom(const std::string& strands = "") {
-        write_bytes(file, "[guides]\ncount = 60\nmade.strands = 200\n"
-                          "[strands]\ncount = 9000\n" +
-                              strands);
+        write_bytes(file,
+                    "[guides]\ncount = 60\nmade.strands = 200\n"
+                    "[strands]\ncount = 9000\n" +
+                        strands);
     }
     Generator direct() const {
         GroomSource source;
@@ -65,9 +66,9 @@ TEST(PluginStrands, AreThoseOfExpandBitForBitInAnyBasisAndShape) {
         const PluginStrands strands(groom, {.times = {0}, .pixels = {}});
         const std::vector<Curves> curves = strands.curves();
         const Generator generator = folder.direct();
-        expect_same_strands(curves.at(0),
-                            expand(generator.binding, rest_guides(generator),
-                                   generator.groom.expand));
+        expect_same_strands(
+            curves.at(0),
+            expand(generator.binding, rest_guides(generator), generator.groom.expand));
         // Embree is given them only where tables and buffers fit each other.
         EXPECT_NO_THROW(HairScene(curves.at(0), nullptr)) << settings;
         EXPECT_EQ(strands.info().strands, curves[0].strands);
@@ -88,8 +89,8 @@ TEST(PluginStrands, LevelOfDetailGrowsFewerOfThem) {
     const SmallGroom folder;
     const PluginGroom groom(folder.file, {}, {});
     const std::vector<double> pixels(groom.info().chunks, 100);
-    const PluginStrands few(
-        groom, {.times = {0}, .pixels = pixels, .strands_a_pixel = 2});
+    const PluginStrands few(groom,
+                            {.times = {0}, .pixels = pixels, .strands_a_pixel = 2});
     // 200 a chunk, and a tenth more that fade.
     EXPECT_NEAR(double(few.size()), 200.0 * groom.info().chunks,
                 60.0 * groom.info().chunks);
@@ -129,9 +130,9 @@ TEST(PluginGroom, WhatTheGroomHasAtFaultIsTold) {
 TEST(PluginGroom, StagesAreTold) {
     const SmallGroom folder;
     std::string told;
-    const PluginGroom groom(folder.file, {},
-                            {.stage = [&](const std::string& s) { told += s + "\n"; },
-                             .warning = {}});
+    const PluginGroom groom(
+        folder.file, {},
+        {.stage = [&](const std::string& s) { told += s + "\n"; }, .warning = {}});
     EXPECT_THAT(told, testing::HasSubstr("fit"));
     ASSERT_TRUE(groom.head(0).has_value());
     EXPECT_GT(groom.head(0)->triangles.size(), 100u);

@@ -27,9 +27,9 @@ class Variable {
 };
 
 std::vector<std::string> words_of(const SmallGrooms& folder) {
-    return {"preview", folder.made,  "--strands",           "3",
-            "--size",  "60x60",      "--samples",           "1",
-            "--view",  "curvature",  "--stats",             folder.at("a.json"),
+    return {"preview", folder.made,       "--strands", "3",
+            "--size",  "60x60",           "--samples", "1",
+            "--view",  "curvature",       "--stats",   folder.at("a.json"),
             "-o",      folder.at("a.exr")};
 }
 

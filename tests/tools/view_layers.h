@@ -21,7 +21,7 @@ struct Layers {
 
 /// Reads the part that is called as its one channel.
 inline void read_part(Imf::MultiPartInputFile& file, const std::string& name,
-               Imf::PixelType type, void* data, std::size_t width) {
+                      Imf::PixelType type, void* data, std::size_t width) {
     int part = 0;
     while (part < file.parts() && file.header(part).name() != name) ++part;
     ASSERT_LT(part, file.parts()) << name;
