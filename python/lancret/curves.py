@@ -49,6 +49,10 @@ class Curves:
     Control points are those of uniform cubic curves that begin and end inside of theirs
     ("bspline", "catmull-rom": without the outermost), or in pieces of three ("bezier"),
     or points with derivatives ("hermite"), or the corners of a polyline ("linear").
+
+    Strands have as many points as they need, and stand by that in their chunk, not by
+    their ids: their order and counts may be others for another basis or max_error, and
+    are the same at all times.
     """
 
     basis: Basis

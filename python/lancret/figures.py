@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Literal
 
 from .geometry import Doubles
 
@@ -23,6 +24,11 @@ class Info:
     fit_seconds: float
     bind_seconds: float
     bytes: int  #: kept while the groom is open
+    frames: int  #: of its cache; 0: nothing moves
+    basis: Literal["bspline", "hermite"]  #: that the groom asks for
+    shape: Literal["any", "flat", "round", "ribbon"]  #: of strands, as drawn
+    #: least and greatest corner of the guides at rest, cm: what to frame
+    box: tuple[tuple[float, float, float], tuple[float, float, float]]
 
 
 @dataclasses.dataclass(frozen=True)

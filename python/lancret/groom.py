@@ -94,6 +94,9 @@ class Groom:
             self.context.raise_for(library().lancret_get_info(groom, byref(struct)))
         values = {name: getattr(struct, name) for name, *_ in _abi.Info._fields_[1:]}
         values["up"] = tuple(struct.up)
+        values["box"] = tuple(struct.box[:3]), tuple(struct.box[3:])
+        values["basis"] = _abi.BASIS_NAMES[struct.basis]
+        values["shape"] = _abi.SHAPES[struct.shape]
         values["cm_per_unit"] = float(
             str(np.float32(struct.cm_per_unit))
         )  # 0.1, not ..01
@@ -156,7 +159,7 @@ class Groom:
     ) -> Curves:
         """Grows a chunk, some chunks, or all of them (None), into one set of arrays.
 
-        times: frames, up to 64; none: the first, or rest.
+        times: frames, up to 256; none: the first, or rest.
         density: share of the strands that are grown, wider; 0: the groom's own.
         max_error: that curves may be off the strands, in the units given back; 0: the
             groom's own tolerance.

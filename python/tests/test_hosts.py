@@ -54,12 +54,19 @@ class Hosts(unittest.TestCase):
         groom = lancret.open(SMALL, parameters={"strands.count": 30_000})
         groom.info
         done = []
-        thread = threading.Thread(target=lambda: done.append(len(groom.expand())))
+
+        def grow():
+            try:
+                done.append(len(groom.expand()))
+            except lancret.CallError as fault:
+                done.append(str(fault))
+
+        thread = threading.Thread(target=grow)
         thread.start()
         time.sleep(0.01)
         groom.close()
         thread.join()
-        self.assertIn(done, ([], [30_000]))  # refused, or whole
+        self.assertIn(done, (["the groom is closed"], [30_000]))
 
     def test_warnings_go_to_the_log(self):
         said = []
@@ -69,9 +76,12 @@ class Hosts(unittest.TestCase):
             strands=far, scalp=square(), log=lambda *line: said.append(line)
         ):
             pass
-        self.assertTrue(all(level in ("info", "warning", "error") for level, _ in said))
+        warnings = [text for level, text in said if level == "warning"]
+        self.assertEqual(len(warnings), 1, said)
+        self.assertRegex(warnings[0], "25 of 25 guide roots .* moved 0.300 cm")
 
     def test_evaluate_gives_each_blends_figures(self):
         report = lancret.evaluate(strands=lawn(10), scalp=square())
         self.assertIn("place", report["blends"]["detail"])
-        self.assertLess(max(report["blends"]["detail"]["length_error"].values()), 1e-4)
+        # As `lancret check` wants it.
+        self.assertLess(max(report["blends"]["detail"]["length_error"].values()), 1e-5)

@@ -38,12 +38,17 @@ class Render(InBlender):
         mesh.vertices.foreach_get("co", points.ravel())
         radii = np.empty(len(points), np.float32)
         mesh.attributes["radius"].data.foreach_get("value", radii)
-        return points, radii, len(mesh.vertices) - len(mesh.edges)
+        edges = np.empty((len(mesh.edges), 2), np.int32)
+        mesh.edges.foreach_get("vertices", edges.ravel())
+        return points, radii, edges
 
     def assert_whole(self, found, expected):
-        points, radii, count = found
-        counts = expected[2] if count == len(expected[2]) else [count]
-        assert_same(self, (points, radii, counts), expected)
+        points, radii, edges = found
+        assert_same(self, (points, radii, expected[2]), expected)
+        starts = np.cumsum(expected[2]) - expected[2]
+        each = [np.arange(n - 1) + start for n, start in zip(expected[2], starts)]
+        first = np.concatenate(each)
+        self.assertTrue(np.array_equal(edges, np.stack([first, first + 1], -1)))
 
     def test_has_all_strands_and_the_viewport_its_own_again(self):
         thing = self.add()
