@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import collections
+import dataclasses
 import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -72,21 +73,22 @@ def close() -> None:
 
 
 def _key(source: Source) -> str:
-    told = hashlib.sha256()
-    arrays = []
-    if source.strands is not None:
-        arrays += [source.strands.points, source.strands.counts]
-    if source.scalp is not None:
-        arrays += [source.scalp.positions, source.scalp.corners, source.scalp.uvs]
-    stamp = _stamp(source.path)
-    told.update(
-        repr((source.path, stamp, source.parameters, source.chunk_strands)).encode()
-    )
-    for array in arrays:
-        told.update(repr(None if array is None else array.shape).encode())
-        if array is not None:
-            told.update(np.ascontiguousarray(array).data)
+    told = hashlib.sha256(repr(_stamp(source.path)).encode())
+    _tell(told, source)
     return told.hexdigest()
+
+
+def _tell(told: Any, value: Any) -> None:
+    """Hashes every field of a dataclass, every number of an array."""
+    if dataclasses.is_dataclass(value):
+        for field in dataclasses.fields(value):
+            told.update(f"{field.name}=".encode())
+            _tell(told, getattr(value, field.name))
+    elif isinstance(value, np.ndarray):
+        told.update(f"{value.dtype}{value.shape}".encode())
+        told.update(np.ascontiguousarray(value).data)
+    else:
+        told.update(f"{value!r};".encode())
 
 
 def _stamp(path: str | None) -> tuple[int, ...]:
