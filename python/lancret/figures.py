@@ -5,6 +5,8 @@ from __future__ import annotations
 import dataclasses
 from typing import Literal
 
+import numpy as np
+
 from .geometry import Doubles
 
 
@@ -46,15 +48,19 @@ class Check:
         return self.failed == 0 and self.outside == 0
 
     def joined(self, other: Check) -> Check:
-        """Of both: counts added, the greatest of the rest."""
-        counts = ("strands", "failed", "outside")
+        """Of both: counts added, the greatest of the rest, no number where one is none."""
+
+        def greatest(name: str) -> float:
+            return float(np.maximum(getattr(self, name), getattr(other, name)))
+
         return Check(
-            **{
-                field.name: (sum if field.name in counts else max)(
-                    (getattr(self, field.name), getattr(other, field.name))
-                )
-                for field in dataclasses.fields(Check)
-            }
+            strands=self.strands + other.strands,
+            failed=self.failed + other.failed,
+            outside=self.outside + other.outside,
+            orthogonality=greatest("orthogonality"),
+            length_error=greatest("length_error"),
+            curve_length_error=greatest("curve_length_error"),
+            distance=greatest("distance"),
         )
 
 

@@ -8,14 +8,14 @@ import functools
 from collections.abc import Collection, Iterable
 from ctypes import byref, c_float, c_void_p
 from types import TracebackType
-from typing import Any, Literal
+from typing import Any, Literal, Unpack
 
 import numpy as np
 
 from . import _abi
 from ._handle import Handle
 from ._library import library
-from ._options import Times, chunk_index, moments_of, options_of
+from ._options import Options, Times, chunk_index, moments_of, options_of
 from ._source import Source
 from .context import Context
 from .curves import IDS, Attribute, Basis, Curves, buffers_of, empty_curves, part
@@ -42,9 +42,10 @@ class Groom:
         pointer, text = c_void_p(), ctypes.create_string_buffer(ERROR_BYTES)
         host = context.handle.enter()
         try:
-            status = library().lancret_open(
-                host, byref(source.struct), byref(pointer), text, ERROR_BYTES
-            )
+            with context.handle.use():
+                status = library().lancret_open(
+                    host, byref(source.struct), byref(pointer), text, ERROR_BYTES
+                )
             if pointer.value:
 
                 def release(groom: int) -> None:
@@ -127,7 +128,7 @@ class Groom:
         chunk: int,
         times: Times = None,
         kind: Literal["reach", "tight"] = "reach",
-        **options: Any,
+        **options: Unpack[Options],
     ) -> Floats:
         """[2][3]: least and greatest corner of a box that holds a chunk at `times` and
         between them. "reach" costs next to nothing and is wide; "tight" grows the chunk.
@@ -180,7 +181,7 @@ class Groom:
         )
         if chunk is None:
             chunk = self.chunks
-        numbers = [chunk] if isinstance(chunk, (int, np.integer)) else list(chunk)
+        numbers = list(chunk) if isinstance(chunk, Iterable) else [chunk]
         with self._handle.use() as groom, contextlib.ExitStack() as bound:
             opened = [
                 self._open_chunk(bound, groom, number, asked) for number in numbers
@@ -227,7 +228,10 @@ class Groom:
         return sizes
 
     def check(
-        self, chunk: int | None = None, times: Times = None, **options: Any
+        self,
+        chunk: int | None = None,
+        times: Times = None,
+        **options: Unpack[Options],
     ) -> Check:
         """Looks at every strand of a chunk, or of all (None), at the first of `times`."""
         asked = options_of(moments_of(times), **options)

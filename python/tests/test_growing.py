@@ -1,5 +1,6 @@
 """Strands of an open groom."""
 
+import dataclasses
 import unittest
 
 import numpy as np
@@ -119,6 +120,39 @@ class Growing(unittest.TestCase):
                         np.linalg.norm(mine[-1] - true[-1]), error + 0.0005
                     )
 
+    def test_of_no_strands_there_are_no_places(self):
+        for basis in ("linear", "hermite"):
+            hair = self.groom.expand(basis=basis, density=1e-6)
+            self.assertEqual(len(hair), 0)
+            places, first = hair.places()
+            self.assertEqual((places.shape, first.tolist()), ((0, 4), [0]))
+
+    def test_some_strands_are_copies_in_the_order_asked_for(self):
+        hair = self.groom.expand(attributes=lancret.ALL)
+        some = hair.some([7, 3, 250])
+        self.assertEqual(some.ids.tolist(), hair.ids[[7, 3, 250]].tolist())
+        for mine, theirs in enumerate((7, 3, 250)):
+            np.testing.assert_array_equal(some.strand(mine), hair.strand(theirs))
+            points = slice(some.first[mine], some.first[mine + 1])
+            whole = slice(hair.first[theirs], hair.first[theirs + 1])
+            for name in ("tangents", "normals"):
+                np.testing.assert_array_equal(
+                    getattr(some, name)[:, points], getattr(hair, name)[:, whole]
+                )
+            np.testing.assert_array_equal(
+                some.arc_lengths[points], hair.arc_lengths[whole]
+            )
+        self.assertEqual(len(hair.some([])), 0)
+
+    def test_pieces_are_as_many_in_every_cubic_basis(self):
+        expected = self.groom.expand(0, basis="hermite", max_error=0.02)
+        self.assertTrue((expected.pieces == expected.counts - 1).all())
+        bezier = self.groom.expand(0, basis="bezier", max_error=0.02)
+        np.testing.assert_array_equal(bezier.ids, expected.ids)
+        np.testing.assert_array_equal(bezier.pieces, expected.pieces)
+        linear = self.groom.expand(0, basis="linear", max_error=0.02)
+        np.testing.assert_array_equal(linear.pieces, linear.counts - 1)
+
     def test_bounds_hold_the_strands(self):
         for chunk in self.groom.chunks:
             hair = self.groom.expand(chunk, basis="linear")
@@ -172,11 +206,17 @@ class Growing(unittest.TestCase):
         self.assertTrue(check.passed)
         self.assertLess(check.length_error, 1e-5)  # as `lancret check` wants it
         self.assertEqual(self.groom.check(0).strands, len(self.groom.expand(0)))
+        spoilt = dataclasses.replace(check, distance=float("nan"))
+        for joined in (check.joined(spoilt), spoilt.joined(check)):
+            self.assertTrue(np.isnan(joined.distance))
+            self.assertEqual(joined.strands, 600)
 
     def test_calls_that_cannot_be_are_refused(self):
         for call in (
             lambda: self.groom.expand(len(self.groom.chunks)),
             lambda: self.groom.expand(-1),
+            lambda: self.groom.bound(0.7),
+            lambda: self.groom.expand(["0"]),
             lambda: self.groom.expand(0, density=float("nan")),
             lambda: self.groom.expand(0, times=[0.0] * 257),
             lambda: self.groom.bound(10_000),

@@ -33,6 +33,34 @@ class Hosts(unittest.TestCase):
         with self.assertRaisesRegex(ZeroDivisionError, "mine"):
             lancret.open(SMALL, cancelled=broken)
 
+    def test_an_exception_of_a_log_comes_out_of_its_own_call(self):
+        said, outcome = [], []
+
+        def other():
+            try:
+                with lancret.open(SMALL, context=context):
+                    outcome.append("open")
+            except ValueError as fault:
+                outcome.append(fault)
+
+        def log(_level, _text):
+            if threading.current_thread() is not mine:
+                return
+            said.append(1)
+            if len(said) == 1:
+                raise ValueError("mine")
+            if len(said) == 2:  # another call, from its beginning to its end
+                thread = threading.Thread(target=other)
+                thread.start()
+                thread.join()
+
+        mine = threading.current_thread()
+        with lancret.Context(log=log) as context:
+            with self.assertRaisesRegex(ValueError, "mine"):
+                lancret.open(SMALL + "seed = 5\n", context=context)
+            self.assertEqual(outcome, ["open"])
+            lancret.open(SMALL, context=context).close()  # nothing is left over
+
     def test_many_threads_grow_the_same_hair(self):
         with lancret.open(SMALL, chunk_strands=32) as groom:
             expected = groom.expand().positions
