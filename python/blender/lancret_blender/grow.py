@@ -60,7 +60,7 @@ def _strands(
 ) -> tuple[Any, strands.Strands]:
     told = thing.lancret
     unit = cm_per_unit(scene)
-    groom = opened.groom(source_of(thing, scene))
+    groom = opened.groom(source_of(thing, scene), thing.name_full)
     times = times_of(groom.info, scene, blur)
     curves = groom.expand(
         times=times,
@@ -106,7 +106,10 @@ def _fault_of(thing: bpy.types.Object, work: Any) -> str:
     except Fault as fault:
         text = str(fault)
     except ImportError as fault:
-        text = f"the Python package lancret is not there: {fault}"
+        found = getattr(sys.modules.get("lancret"), "LibraryNotFound", ())
+        text = str(fault)
+        if not isinstance(fault, found):
+            text = f"the Python package lancret is not there: {text}"
     except Exception as fault:
         text = str(fault) or type(fault).__name__
         if not isinstance(fault, lancret().Error):
