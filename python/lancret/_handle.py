@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator
 
 from .errors import CallError
 
-
 _inside = threading.local()
 
 

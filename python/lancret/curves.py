@@ -91,22 +91,14 @@ class Curves:
     @property
     def pieces(self) -> npt.NDArray[np.int64]:
         """[strands] curve segments of each."""
-        pieces = np.zeros(len(self), dtype=np.int64)
-        for count, strands in cubic.groups(self.counts):
-            if self.basis == "hermite":
-                pieces[strands] = count - 1
-            else:
-                pieces[strands] = cubic.pieces_of(count, self.basis)
-        return pieces
+        return pieces_of_curves(self.counts, self.basis)
 
     def some(self, strands: npt.ArrayLike) -> Curves:
         """Copies of some strands, by their numbers here, in that order."""
         chosen = np.asarray(strands, dtype=np.int64)
         counts = self.counts[chosen]
         ends = starts_of(counts)
-        points = np.arange(ends[-1]) + np.repeat(
-            self.first[chosen] - ends[:-1], counts
-        )
+        points = np.arange(ends[-1]) + np.repeat(self.first[chosen] - ends[:-1], counts)
         return _part(self, chosen, points)
 
     def strand(self, index: int, time: int = 0) -> Floats:
@@ -131,6 +123,16 @@ class Curves:
         else:
             places, made = cubic.sample(values, counts, basis, a_piece)
         return places, starts_of(made)
+
+
+def pieces_of_curves(counts: Counts, basis: str) -> npt.NDArray[np.int64]:
+    """[strands] curve segments of each; hermite curves have as many as polylines."""
+    pieces = np.zeros(len(counts), dtype=np.int64)
+    for count, strands in cubic.groups(counts):
+        pieces[strands] = cubic.pieces_of(
+            count, "linear" if basis == "hermite" else basis
+        )
+    return pieces
 
 
 def attribute_bits(attributes: Collection[Attribute]) -> int:

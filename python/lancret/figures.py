@@ -34,6 +34,25 @@ class Info:
 
 
 @dataclasses.dataclass(frozen=True)
+class ChunkInfo:
+    """Numbers of strands, of them those that binding had to work around."""
+
+    strands: int
+    bytes: int  #: kept while the chunk is bound
+    no_facing_guide: int
+    no_guide_in_reach: int
+    no_guide_in_sight: int
+    no_guide_in_region: int
+    opposed_root_frames: int
+    straight_guides: int
+
+    def joined(self, other: ChunkInfo) -> ChunkInfo:
+        """Of both."""
+        pairs = zip(dataclasses.astuple(self), dataclasses.astuple(other))
+        return ChunkInfo(*(mine + theirs for mine, theirs in pairs))
+
+
+@dataclasses.dataclass(frozen=True)
 class Check:
     strands: int
     failed: int

@@ -116,9 +116,7 @@ class Growing(unittest.TestCase):
                     # Roots are exact, but that a B-spline's is a mean of three control
                     # points, each rounded by half of 2^-19 at most, as they are below 32.
                     self.assertLess(np.linalg.norm(mine[0] - true[0]), 3**0.5 * 2**-20)
-                    self.assertLess(
-                        np.linalg.norm(mine[-1] - true[-1]), error + 0.0005
-                    )
+                    self.assertLess(np.linalg.norm(mine[-1] - true[-1]), error + 0.0005)
 
     def test_of_no_strands_there_are_no_places(self):
         for basis in ("linear", "hermite"):

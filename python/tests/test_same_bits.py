@@ -68,6 +68,15 @@ class SameBits(WithFolder):
         )
         with lancret.open(cache, parameters=ALIKE) as groom:
             self.assertEqual((groom.info.first_frame, groom.info.last_frame), (1, 3))
+            self.assertEqual(groom.info.frames, 3)
+            self.assertFalse(groom.is_still((1, 2)))
+            self.assertTrue(groom.is_still((3, 4)))  # held after the last
+            self.assertFalse(
+                np.array_equal(groom.head(1).positions, groom.head(3).positions)
+            )
+            np.testing.assert_array_equal(
+                groom.head().positions, groom.head(1).positions
+            )
             times = (1, 2.25, 3)
             together = groom.expand(times=times)
             order = np.argsort(together.ids)

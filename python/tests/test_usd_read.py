@@ -181,7 +181,9 @@ class Widths(unittest.TestCase):
         curves.CreateWidthsAttr([1, 2, 10, 20, 40, 5, 6])
         curves.SetWidthsInterpolation("varying")
         read = usd.read(stage)
-        ends = [read.widths[[a, b - 1]].tolist() for a, b in zip(read.first, read.first[1:])]
+        ends = [
+            read.widths[[a, b - 1]].tolist() for a, b in zip(read.first, read.first[1:])
+        ]
         self.assertEqual(ends, [[1, 2], [10, 40], [5, 6]])
         curves.SetWidthsInterpolation("faceVarying")  # of curves the same
         np.testing.assert_array_equal(usd.read(stage).widths, read.widths)
@@ -204,7 +206,9 @@ class Widths(unittest.TestCase):
         stage = Usd.Stage.CreateInMemory()
         above = UsdGeom.Xform.Define(stage, "/above")
         floats = Sdf.ValueTypeNames.FloatArray
-        UsdGeom.PrimvarsAPI(above).CreatePrimvar("widths", floats, "constant").Set([0.5])
+        UsdGeom.PrimvarsAPI(above).CreatePrimvar("widths", floats, "constant").Set(
+            [0.5]
+        )
         curves = UsdGeom.BasisCurves.Define(stage, "/above/hair")
         curves.CreateCurveVertexCountsAttr([4])
         curves.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(some_points(4)))
@@ -304,7 +308,9 @@ class Places(unittest.TestCase):
             self.assertEqual(len(usd.read(stage, f"/{name}")), 1)
         for name in ("hair", "render"):
             stage.RemovePrim(f"/{name}")
-        with self.assertRaisesRegex(InputError, "3 BasisCurves, but none that is visible"):
+        with self.assertRaisesRegex(
+            InputError, "3 BasisCurves, but none that is visible"
+        ):
             usd.read(stage)
 
     def test_what_a_point_instancer_places_is_refused(self):

@@ -51,7 +51,13 @@ class Writing(WithFolder):
                     path = self.folder / f"{basis}.{name}"
                     asked = {
                         "basis": basis,
-                        "attributes": ("ids", "root_uv", "lengths", "random", "normals"),
+                        "attributes": (
+                            "ids",
+                            "root_uv",
+                            "lengths",
+                            "random",
+                            "normals",
+                        ),
                     }
                     usd.write(path, groom, **asked)
                     hair, back = groom.expand(**asked), read_back(path)
@@ -183,7 +189,9 @@ class Writing(WithFolder):
         usd.add_curves(stage, "/hair", curve(4, 1.0))
         usd.add_curves(stage, "/hair", curve(4, 2.0))
         for other in (curve(6, 3.0), curve(4, 3.0, number=1)):
-            with self.assertRaisesRegex(lancret.InputError, "/hair: has curves with other"):
+            with self.assertRaisesRegex(
+                lancret.InputError, "/hair: has curves with other"
+            ):
                 usd.add_curves(stage, "/hair", other)
         found = UsdGeom.BasisCurves(stage.GetPrimAtPath("/hair"))
         self.assertEqual(found.GetPointsAttr().GetTimeSamples(), [1, 2])
@@ -192,7 +200,9 @@ class Writing(WithFolder):
         path = self.folder / "hair.usda"
         with lancret.open(SMALL) as groom:
             usd.write(path, groom, times=3)
-        self.assertEqual(len(read_back(path, time=3)["points"]), len(usd.read(path).points))
+        self.assertEqual(
+            len(read_back(path, time=3)["points"]), len(usd.read(path).points)
+        )
 
     @unittest.skipUnless(command(), "the program `lancret` is not built")
     def test_frames_become_time_samples(self):

@@ -99,7 +99,9 @@ def _weights(count: int, order: int, ends: bool, bezier: bool, steps: int) -> An
     knots = _knots(count, order, ends, bezier)
     if knots[order - 1] >= knots[count]:
         return np.empty((0, count))  # too few points for the order
-    last = int(np.searchsorted(knots, knots[count])) - 1  # of the spans that have a length
+    last = (
+        int(np.searchsorted(knots, knots[count])) - 1
+    )  # of the spans that have a length
     rows = []
     for u in np.linspace(knots[order - 1], knots[count], steps + 1):
         span = min(int(np.searchsorted(knots, u, side="right")) - 1, last)

@@ -115,9 +115,7 @@ def _guides(thing: bpy.types.Object, scene: bpy.types.Scene, graph: Any) -> Any:
     )
 
 
-def _scalp(
-    thing: Any, scalp: bpy.types.Object, graph: Any, up: str, scale: float
-) -> Any:
+def _scalp(thing: Any, scalp: bpy.types.Object, graph: Any, up: str, scale: float) -> Any:
     """Its mesh, without modifiers, in the groom's axes and units."""
     mesh = scalp.data
     mesh.calc_loop_triangles()

@@ -94,7 +94,9 @@ def prepare(thing: bpy.types.Object) -> bool:
 def _coat(tree: bpy.types.NodeTree | None) -> Any:
     """The node that sets the material; none where the tree has it no more."""
     kind = "GeometryNodeSetMaterial"
-    return next((one for one in tree.nodes if one.bl_idname == kind), None) if tree else None
+    return (
+        next((one for one in tree.nodes if one.bl_idname == kind), None) if tree else None
+    )
 
 
 def write(mesh: bpy.types.Mesh, strands: Strands) -> None:

@@ -78,7 +78,15 @@ class Guides(InBlender):
         self.assertLess(np.abs(points[:, 2] - (1 - (1 - t) ** 3)).max(), 1e-6)
 
     def test_of_nurbs_are_where_blender_draws_them(self):
-        given = [(0, 0, 0), (0, 0, 1), (1, 0, 2), (1, 1, 3), (2, 1, 3), (2, 3, 3), (3, 3, 2)]
+        given = [
+            (0, 0, 0),
+            (0, 0, 1),
+            (1, 0, 2),
+            (1, 1, 3),
+            (2, 1, 3),
+            (2, 3, 3),
+            (3, 3, 2),
+        ]
         for ends, bezier, order, count in itertools.product(
             (False, True), (False, True), (3, 4, 5), (5, 6, 7)
         ):
@@ -154,7 +162,6 @@ class Guides(InBlender):
         turned = np.concatenate(fur())[:, [1, 0, 2]] * [-1, 1, 1] + [0, 0, 0.5]
         self.assertLess(np.abs(source.strands.points - turned).max(), 1e-6)
         self.assertEqual((source.strands.up, source.strands.metres_per_unit), ("Z", 1))
-
 
     def test_whose_nodes_and_modifier_are_gone_are_drawn_after_an_update(self):
         thing = self.add()

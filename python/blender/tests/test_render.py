@@ -157,7 +157,8 @@ class Render(InBlender):
         copy = next(one for one in self.scene.objects if one.type == "CURVES")
         self.assertEqual(evaluated(copy)[2].tolist(), before[2].tolist())
         self.assertEqual(
-            len(first.lancret.points.data.vertices), len(copy.lancret.points.data.vertices)
+            len(first.lancret.points.data.vertices),
+            len(copy.lancret.points.data.vertices),
         )
 
     def test_fills_the_viewport_where_its_points_were_deleted(self):
@@ -190,7 +191,9 @@ class Render(InBlender):
         finally:
             bpy.app.handlers.render_post.remove(look)
         self.assert_whole(found[0], of_the_abi(self.groom))
-        self.assertEqual(len(found[1][0]), len(evaluated(thing)[0]))  # not seen, not grown
+        self.assertEqual(
+            len(found[1][0]), len(evaluated(thing)[0])
+        )  # not seen, not grown
 
     def test_grows_nothing_of_a_hidden_collection(self):
         thing = self.add()

@@ -184,7 +184,9 @@ def _widths(curves: Any, form: _Form, time: Any) -> np.ndarray | None:
     if not widths.size:
         return None
     if not np.isfinite(widths).all():
-        raise InputError(f"{form.name}: primvars:widths has a number that is not finite")
+        raise InputError(
+            f"{form.name}: primvars:widths has a number that is not finite"
+        )
     return _at_points(widths, kind, form, "widths")
 
 

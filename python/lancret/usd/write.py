@@ -133,7 +133,8 @@ def _describe(
 def add_curves(stage: Any, path: str, curves: Curves) -> Any:
     """Puts curves at a path of a stage, in units of the stage: as they are, without a
     transform. At times that curves were asked for they are time samples, and those that
-    are there stay; they must be of the same strands. Returns the UsdGeom.BasisCurves."""
+    are there stay; they must be of the same strands. Returns the UsdGeom.BasisCurves.
+    """
     if curves.basis not in _TYPES:
         raise InputError(f"{path}: USD's BasisCurves are {', '.join(_TYPES)}")
     made = UsdGeom.BasisCurves.Define(stage, path)
