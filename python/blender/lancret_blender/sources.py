@@ -76,8 +76,9 @@ def _to_local(thing: bpy.types.Object, graph: Any) -> Any:
 
 
 def parameters_of(told: Any) -> dict[str, Any]:
-    """What the panel lays over the groom."""
-    said: dict[str, Any] = {}
+    """What the panel lays over the groom. Points do not adapt: with longer pieces Cycles,
+    which turns the ends by itself, would be off there by more than the tolerance."""
+    said: dict[str, Any] = {"strands.adapt": False}
     if told.count > 0:
         said["strands.count"] = told.count
     if told.blend != "GROOM":

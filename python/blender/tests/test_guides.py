@@ -1,4 +1,5 @@
 import itertools
+from pathlib import Path
 
 import bpy
 import numpy as np
@@ -6,6 +7,8 @@ from support import InBlender, assert_same, evaluated, same_bits
 
 from lancret_blender import scene_guides, sources, strands
 from lancret_blender.package import lancret
+
+EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
 
 
 def legacy_curve(name, kind, strands_of_points):
@@ -208,6 +211,14 @@ class Scalp(InBlender):
 
 
 class Ends(InBlender):
+    def test_are_within_the_tolerance(self):
+        """Of the made groom, whose curls are wound as tightly as hair is."""
+        thing = self.add(EXAMPLES / "made_groom.toml")
+        thing.lancret.viewport, thing.lancret.count = 1, 2000
+        self.update(thing)
+        self.assertIn("tolerance = 0.06 ", (EXAMPLES / "made_groom.toml").read_text())
+        self.assertTrue(0 < thing.lancret.end_error < 0.06, thing.lancret.end_error)
+
     def test_are_the_curves_own_but_for_the_error_that_is_told(self):
         with lancret().open(self.groom) as groom:
             curves = groom.expand(basis=strands.BASIS, unit=1)

@@ -1,3 +1,6 @@
+import re
+from pathlib import Path
+
 import bpy
 import numpy as np
 import test_guides
@@ -241,6 +244,20 @@ class Render(InBlender):
         for found, expected in zip(lowest, (0, 0.25, 0.5, 0.5)):
             # Roots are the guides' own, in float.
             self.assertAlmostEqual(found, expected, delta=2**-23)
+
+
+class Docs(InBlender):
+    def test_the_script_of_the_page_runs(self):
+        page = Path(__file__).resolve().parents[3] / "docs" / "blender.md"
+        code = re.search(r"^```python\n(.*?)^```", page.read_text(), re.M | re.S)[1]
+        enable = 'bpy.ops.preferences.addon_enable(module="lancret_blender")\n'
+        self.assertIn(enable, code)  # it is enabled already
+        code = code.replace(enable, "").replace("/path/of/groom.toml", str(self.groom))
+        self.small_render()
+        bpy.context.scene.render.engine = "BLENDER_WORKBENCH"
+        exec(compile(code, str(page), "exec"), {})  # noqa: S102
+        self.assertEqual(bpy.context.object.lancret.all_strands, 20000)
+        self.assertTrue(Path(self.scene.render.filepath).is_file())
 
 
 class Cache(InBlender):
