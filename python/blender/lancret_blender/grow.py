@@ -46,6 +46,7 @@ def in_full(
     the mesh stays empty, and `lancret.render_error` keeps the first reason."""
 
     def work() -> None:
+        strand_object.prepare(thing)
         strand_object.write(mesh, _strands(thing, scene, 0, blur=True)[1])
 
     text = _fault_of(thing, work)

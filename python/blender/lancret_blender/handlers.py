@@ -14,7 +14,7 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from . import grow, later, opened, sources, strand_object
+from . import grow, later, opened, sources
 from .settings import is_lancret
 
 _viewport: dict[str, str] = {}  # of points objects, the mesh that the viewport shows
@@ -26,20 +26,18 @@ def rendering() -> bool:
     return _rendering
 
 
-def _lancret_objects(scene: bpy.types.Scene) -> list[bpy.types.Object]:
-    return [one for one in scene.objects if is_lancret(one)]
-
-
-def _rendered(scene: bpy.types.Scene) -> list[bpy.types.Object]:
-    """What a render shows, that of instanced collections too."""
+def _lancret_objects(
+    scene: bpy.types.Scene, rendered: bool = False
+) -> list[bpy.types.Object]:
+    """Of a scene, those of instanced collections too; or what a render shows of them."""
     found, seen = {}, set()
 
     def walk(collection: bpy.types.Collection) -> None:
-        if collection.hide_render or collection in seen:
+        if collection in seen or (rendered and collection.hide_render):
             return
         seen.add(collection)
         for one in collection.objects:
-            if one.hide_render:
+            if rendered and one.hide_render:
                 continue
             if is_lancret(one):
                 found[one.name_full] = one
@@ -61,14 +59,17 @@ def _render_init(_scene: bpy.types.Scene, *_: Any) -> None:
 @persistent
 def _render_pre(scene: bpy.types.Scene, *_: Any) -> None:
     _put_back()  # the frame before
-    things = _rendered(scene)
+    things = _lancret_objects(scene, rendered=True)
     sources.update_objects(things, scene)
     for thing in things:
-        if strand_object.prepare(thing):
+        if thing.lancret.points is None:
             _unfilled.add(thing.name)
         full = bpy.data.meshes.new(f"{thing.name} in full")
         grow.in_full(thing, scene, full)
         points = thing.lancret.points
+        if points is None:
+            bpy.data.meshes.remove(full)
+            continue
         _viewport[points.name] = points.data.name
         points.data = full
 

@@ -67,17 +67,16 @@ def _nodes(points: bpy.types.Object) -> bpy.types.NodeTree:
     return tree
 
 
-def prepare(thing: bpy.types.Object) -> bool:
+def prepare(thing: bpy.types.Object) -> None:
     """Points and nodes of its own, where it is a copy of another or they are gone; its
-    modifier and material. True where its points are new and have no strands yet."""
+    modifier and material."""
     told = thing.lancret
     shared = any(
         other != thing and other.lancret.points == told.points
         for other in bpy.data.objects
         if other.type == "CURVES" and other.lancret.enabled
     )
-    empty = told.points is None
-    if empty or shared:
+    if told.points is None or shared:
         _own_points(thing)
     coat = _coat(told.nodes)
     if coat is None:
@@ -88,7 +87,6 @@ def prepare(thing: bpy.types.Object) -> bool:
     modifier = thing.modifiers.get("Lancret") or thing.modifiers.new("Lancret", "NODES")
     if modifier.node_group != told.nodes:
         modifier.node_group = told.nodes
-    return empty
 
 
 def _coat(tree: bpy.types.NodeTree | None) -> Any:

@@ -234,14 +234,16 @@ class Render(InBlender):
         for frame, z in ((1, 0), (3, 0.5)):
             curves.location.z = z
             curves.keyframe_insert("location", frame=frame)
-        for line in curves.animation_data.action.fcurves:
-            for key in line.keyframe_points:
-                key.interpolation = "LINEAR"
+        places = []
+        for frame in (1, 2, 3, 4):
+            self.scene.frame_set(frame)
+            places.append(curves.location.z)
+        self.assertEqual(len(set(places)), 3, places)
         self.scene.frame_set(1)
         seen = [one for one in self.animate(1, 4) if len(one[1])]
         lowest = [float(points[:, 2].min()) for _, points, *_ in seen]
         self.assertEqual([frame for frame, *_ in seen], [1, 2, 3, 4])
-        for found, expected in zip(lowest, (0, 0.25, 0.5, 0.5)):
+        for found, expected in zip(lowest, places):
             # Roots are the guides' own, in float.
             self.assertAlmostEqual(found, expected, delta=2**-23)
 
@@ -300,6 +302,21 @@ class Cache(InBlender):
         self.assertEqual(len(evaluated(thing)[2]), thing.lancret.strands)
 
     drawn = Render.drawn
+
+    def test_of_an_instanced_collection_follows_the_frame(self):
+        thing = self.add(self.cache)
+        thing.lancret.viewport = 1
+        self.update(thing)
+        collection = bpy.data.collections.new("hair")
+        collection.objects.link(thing)
+        self.scene.collection.objects.unlink(thing)
+        place = bpy.data.objects.new("place", None)
+        place.instance_type, place.instance_collection = "COLLECTION", collection
+        self.scene.collection.objects.link(place)
+        self.scene.frame_set(3)
+        found = self.drawn(thing)
+        expected = of_the_abi(self.cache, density=1, times=3)
+        assert_same(self, (*found[:2], expected[2]), expected)
 
     def test_is_of_the_scene_that_changes_its_frame(self):
         thing = self.add(self.cache)
