@@ -19,14 +19,12 @@ from ._options import Options, Times, chunk_index, moments_of, options_of
 from ._source import Source
 from .context import Context
 from .curves import IDS, Attribute, Basis, Curves, buffers_of, empty_curves, part
-from .figures import Check, ChunkInfo, Guides, Info
 from .errors import CallError
+from .figures import Check, ChunkInfo, Guides, Info
 from .geometry import Floats, Mesh
 
 #: Of the text of an error.
 ERROR_BYTES = 4096
-
-
 Figure = Literal["length_error", "orthogonality", "curvature", "torsion", "region"]
 
 
@@ -176,12 +174,13 @@ class Groom:
             strands_a_pixel,
             unit,
         )
+        numbers = self._numbers(chunk)
         with self._handle.use() as groom, contextlib.ExitStack() as until_done:
             opened = [
                 until_done.enter_context(
                     _chunk.bound(self.context, groom, number, asked)
                 )
-                for number in self._numbers(chunk)
+                for number in numbers
             ]
             sizes = [_chunk.sizes_of(self.context, handle) for handle in opened]
             whole = empty_curves(
@@ -222,9 +221,9 @@ class Groom:
         of frames that are carried without twist, and the region where there are none.
         """
         asked = options_of(moments_of(time), **options)
-        parts = [np.empty(0, dtype=np.float32)]
+        parts, numbers = [np.empty(0, dtype=np.float32)], self._numbers(chunk)
         with self._handle.use() as groom:
-            for number in self._numbers(chunk):
+            for number in numbers:
                 with _chunk.bound(self.context, groom, number, asked) as handle:
                     parts.append(_chunk.figures_of(self.context, handle, figure))
         return np.concatenate(parts)
@@ -237,9 +236,9 @@ class Groom:
     ) -> ChunkInfo:
         """What binding had to work around, of some chunks or all (None) together."""
         asked = options_of(moments_of(time), **options)
-        joined = ChunkInfo(0, 0, 0, 0, 0, 0, 0, 0)
+        joined, numbers = ChunkInfo(0, 0, 0, 0, 0, 0, 0, 0), self._numbers(chunk)
         with self._handle.use() as groom:
-            for number in self._numbers(chunk):
+            for number in numbers:
                 with _chunk.bound(self.context, groom, number, asked) as handle:
                     joined = joined.joined(_chunk.info_of(self.context, handle))
         return joined
@@ -251,15 +250,16 @@ class Groom:
 
     def check(
         self,
-        chunk: int | None = None,
+        chunk: int | Iterable[int] | None = None,
         times: Times = None,
         **options: Unpack[Options],
     ) -> Check:
-        """Looks at every strand of a chunk, or of all (None), at the first of `times`."""
+        """Looks at every strand of some chunks, or of all (None), at the first of
+        `times`."""
         asked = options_of(moments_of(times), **options)
-        joined = Check(0, 0, 0, 0.0, 0.0, 0.0, 0.0)
+        joined, numbers = Check(0, 0, 0, 0.0, 0.0, 0.0, 0.0), self._numbers(chunk)
         with self._handle.use() as groom:
-            for number in self.chunks if chunk is None else (chunk,):
+            for number in numbers:
                 struct = _abi.Check()
                 self.context.raise_for(
                     library().lancret_check_chunk(
