@@ -45,6 +45,22 @@ class SameBits(WithFolder):
                 ours = np.concatenate([hair.strand(i) for i in order])
                 self.assertEqual(ours.tobytes(), expected.tobytes())
 
+    def test_points_adapt_as_there(self):
+        path = self.file("groom.toml", SMALL)
+        file = self.expand("out.hair", path).read_bytes()
+        strands, points = np.frombuffer(file, "<u4", 2, 4)  # docs/formats.md
+        pieces = np.frombuffer(file, "<u2", strands, 128)
+        joints = np.frombuffer(file, "<f4", 3 * points, 128 + 2 * strands)
+        with lancret.open(path, chunk_strands=70) as groom:
+            hair = groom.expand()
+        order = np.argsort(hair.ids)
+        self.assertGreater(len(set(pieces)), 2)
+        np.testing.assert_array_equal(hair.pieces[order], pieces)
+        places, first = hair.places(a_piece=1)
+        ours = np.concatenate([places[first[i] : first[i + 1], :3] for i in order])
+        off = np.linalg.norm(ours - joints.reshape(-1, 3), axis=1)
+        self.assertLess(off.max(), 0.03)  # the groom's tolerance
+
     def test_a_share_of_the_strands(self):
         path = self.file("groom.toml", SMALL)
         expected = self.control_points(path, "--density", "0.3")
