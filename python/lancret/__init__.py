@@ -20,7 +20,7 @@ from .errors import (
     LibraryNotFound,
     OutOfMemory,
 )
-from .figures import Check, Guides, Info
+from .figures import Check, ChunkInfo, Guides, Info
 from .geometry import Mesh, Strands
 from .groom import Groom
 from .opening import evaluate, fit, open
@@ -33,6 +33,7 @@ __all__ = [
     "CallError",
     "Cancelled",
     "Check",
+    "ChunkInfo",
     "Context",
     "Curves",
     "Error",

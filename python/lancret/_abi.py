@@ -35,6 +35,16 @@ ATTRIBUTES = {
     "arc_lengths": 64,
     "random": 128,
 }
+#: What lancret_chunk_figures is asked for.
+FIGURES = {
+    "length_error": 0,
+    "orthogonality": 1,
+    "curvature": 2,
+    "torsion": 3,
+    "region": 4,
+}
+#: lancret_info.shape.
+SHAPES = {0: "any", 1: "flat", 2: "round", 3: "ribbon"}
 LOG_LEVELS = {0: "info", 1: "warning", 2: "error"}
 
 Log = ctypes.CFUNCTYPE(None, c_void_p, c_int, c_char_p)
@@ -86,6 +96,9 @@ class Mesh(Sized):
     ]
 
 
+MeshSink = ctypes.CFUNCTYPE(c_int, c_void_p, POINTER(Mesh))
+
+
 class Source(Sized):
     _fields_ = [
         ("size", c_size_t),
@@ -117,6 +130,10 @@ class Info(Sized):
         ("fit_seconds", c_double),
         ("bind_seconds", c_double),
         ("bytes", c_size_t),
+        ("frames", c_int),
+        ("basis", c_int),
+        ("shape", c_int),
+        ("box", c_float * 6),
     ]
 
 
@@ -160,6 +177,20 @@ class Curves(Sized):
     ]
 
 
+class ChunkInfo(Sized):
+    _fields_ = [
+        ("size", c_size_t),
+        ("strands", c_uint),
+        ("bytes", c_size_t),
+        ("no_facing_guide", c_uint),
+        ("no_guide_in_reach", c_uint),
+        ("no_guide_in_sight", c_uint),
+        ("no_guide_in_region", c_uint),
+        ("opposed_root_frames", c_uint),
+        ("straight_guides", c_uint),
+    ]
+
+
 class Check(Sized):
     _fields_ = [
         ("size", c_size_t),
@@ -196,6 +227,7 @@ STRUCTS: dict[str, type[ctypes.Structure]] = {
     "lancret_info": Info,
     "lancret_options": Options,
     "lancret_curves": Curves,
+    "lancret_chunk_info": ChunkInfo,
     "lancret_check": Check,
     "lancret_guides": Guides,
 }
@@ -212,6 +244,12 @@ FUNCTIONS: dict[str, tuple[object, list[object]]] = {
     ),
     "lancret_close": (None, [c_void_p]),
     "lancret_get_info": (c_int, [c_void_p, POINTER(Info)]),
+    "lancret_describe": (c_int, [c_void_p, TextSink, c_void_p]),
+    "lancret_get_head": (c_int, [c_void_p, c_double, MeshSink, c_void_p]),
+    "lancret_is_still": (
+        c_int,
+        [c_void_p, POINTER(c_double), c_size_t, POINTER(c_int)],
+    ),
     "lancret_bound": (
         c_int,
         [c_void_p, c_uint, POINTER(Options), c_int, POINTER(c_float)],
@@ -223,6 +261,8 @@ FUNCTIONS: dict[str, tuple[object, list[object]]] = {
     "lancret_chunk_sizes": (c_int, [c_void_p, POINTER(Curves)]),
     "lancret_chunk_write": (c_int, [c_void_p, POINTER(Curves)]),
     "lancret_chunk_close": (None, [c_void_p]),
+    "lancret_get_chunk_info": (c_int, [c_void_p, POINTER(ChunkInfo)]),
+    "lancret_chunk_figures": (c_int, [c_void_p, c_int, c_size_t, POINTER(c_float)]),
     "lancret_check_chunk": (
         c_int,
         [c_void_p, c_uint, POINTER(Options), POINTER(Check)],

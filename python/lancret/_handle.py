@@ -8,6 +8,13 @@ from collections.abc import Callable, Iterator
 
 from .errors import CallError
 
+_inside = threading.local()
+
+
+def in_a_call() -> bool:
+    """Whether the thread that asks is in a call of the library, from Python."""
+    return getattr(_inside, "depth", 0) > 0
+
 
 class Handle:
     """`close` may be called at any time and from any thread: what uses the handle then
@@ -39,9 +46,11 @@ class Handle:
     @contextlib.contextmanager
     def use(self) -> Iterator[int]:
         pointer = self.enter()
+        _inside.depth = getattr(_inside, "depth", 0) + 1
         try:
             yield pointer
         finally:
+            _inside.depth -= 1
             self.leave()
 
     def close(self) -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Collection, Sequence
 from ctypes import c_double
+from typing import TypedDict
 
 import numpy as np
 
@@ -16,10 +18,26 @@ Times = float | Sequence[float] | None
 _U32 = 2**32
 
 
+class Options(TypedDict, total=False):
+    """What `expand` may be asked for besides chunks and times."""
+
+    basis: Basis
+    density: float
+    max_error: float
+    attributes: Collection[Attribute]
+    pixels: float
+    strands_a_pixel: float
+    unit: float
+
+
 def chunk_index(chunk: int) -> int:
-    if not 0 <= chunk < _U32:
-        raise CallError(f"chunk {chunk}: there is none")
-    return int(chunk)
+    try:
+        number = operator.index(chunk)
+    except TypeError:
+        raise CallError(f"chunk {chunk!r}: must be a whole number") from None
+    if not 0 <= number < _U32:
+        raise CallError(f"chunk {number}: there is none")
+    return number
 
 
 def moments_of(times: Times) -> tuple[float, ...]:

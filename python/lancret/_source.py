@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from ctypes import POINTER, c_float, c_uint
 from typing import Any
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _abi
@@ -36,27 +37,42 @@ def flat(parameters: Parameters, table: str = "") -> Iterator[tuple[str, Any]]:
 
 def _parameter(name: str, value: Any) -> _abi.Parameter:
     if isinstance(value, (str, os.PathLike)):
-        return _abi.Parameter(name.encode(), os.fspath(value).encode(), 0.0)
+        return _abi.Parameter(_bytes(name), _bytes(value), 0.0)
     try:
-        return _abi.Parameter(name.encode(), None, float(value))
+        number = float(value)
     except (TypeError, ValueError, OverflowError):
         raise InputError(
             f"{name}: {value!r} is neither text nor a number nor true or false; give "
             "lists in the TOML"
         ) from None
+    if isinstance(value, (int, np.integer)) and number != value:
+        raise InputError(f"{name}: {value} is beyond 2^53: give it in the TOML")
+    return _abi.Parameter(_bytes(name), None, number)
 
 
-def _of_strands(strands: Strands, given: dict[str, Any]) -> dict[str, Any]:
-    """What strands say of their scene, where `given` does not."""
+def _of_strands(
+    strands: Strands, given: dict[str, Any], *, alone: bool
+) -> dict[str, Any]:
+    """What strands say of their scene, where `given` does not. alone: there is no TOML
+    that could say more."""
     said: dict[str, Any] = {}
     if strands.metres_per_unit is not None:
         said["scene.metres_per_unit"] = strands.metres_per_unit
+    elif alone:
+        said["scene.metres_per_unit"] = 0.01
     if strands.up is not None:
         said["scene.up"] = strands.up
+    said |= given
     taper = strands.taper()
-    if taper is not None:
-        said["width.root"], said["width.tip"] = taper
-    return said | given
+    if taper is not None and not {"width.root", "width.tip"} <= set(given):
+        if "scene.metres_per_unit" not in said:
+            raise InputError(
+                "widths: of which unit? Say metres_per_unit of the strands, or give "
+                "width.root and width.tip, in cm, in `parameters`"
+            )
+        cm = 100 * float(said["scene.metres_per_unit"])
+        said = {"width.root": taper[0] * cm, "width.tip": taper[1] * cm} | said
+    return said
 
 
 class Source:
@@ -77,11 +93,12 @@ class Source:
             if text is not None:
                 raise InputError("the TOML's text is given twice")
             source, text = None, source
+        alone = source is None and not text
         if source is None and text is None and strands is not None:
             text = ""  # nothing but the strands
         values = dict(flat(parameters or {}))
         if strands is not None:
-            values = _of_strands(strands, values)
+            values = _of_strands(strands, values, alone=alone)
         if not 0 <= chunk_strands < 2**32:
             raise InputError(f"chunk_strands: must be 0 or more, not {chunk_strands}")
         self._kept: list[object] = [strands, scalp]

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from types import TracebackType
 
 from . import _abi
-from ._handle import Handle
+from ._handle import Handle, in_a_call
 from ._library import library
 from .errors import BY_STATUS, MEANINGS, CallError, Error, InternalError
 
@@ -26,14 +26,15 @@ def log_to_logging(level: str, text: str) -> None:
 
 
 class _Callbacks:
-    """What the library calls, from any thread. Keeps the first exception of a callback,
-    which the call that it stopped then raises."""
+    """What the library calls, from any thread. Keeps the first exception of a callback:
+    of a log on a thread that is in a call itself for that call; else for whichever call
+    ends first."""
 
     def __init__(self, log: LogCallback, cancelled: CancelCallback | None) -> None:
         self._log, self._cancelled = log, cancelled
         self._lock = threading.Lock()
         self._raised: BaseException | None = None
-        self._said = threading.local()  # a call's error is logged by its own thread
+        self._own = threading.local()  # of a call that logs on its own thread
         self.c_log = _abi.Log(self.log)
         self.c_cancel = _abi.Cancel(self.cancel)
 
@@ -42,13 +43,15 @@ class _Callbacks:
             self._raised = self._raised or fault
 
     def take_raised(self) -> BaseException | None:
+        own: BaseException | None = self._own.__dict__.pop("raised", None)
+        if own is not None:
+            return own
         with self._lock:
             raised, self._raised = self._raised, None
         return raised
 
     def take_error(self) -> str:
-        words = getattr(self._said, "error", "")
-        self._said.error = ""
+        words: str = self._own.__dict__.pop("error", "")
         return words
 
     def log(self, _user: int | None, level: int, text: bytes) -> None:
@@ -56,10 +59,13 @@ class _Callbacks:
             words = text.decode(errors="replace")
             name = _abi.LOG_LEVELS.get(level, "error")
             if name == "error":
-                self._said.error = words
+                self._own.error = words
             self._log(name, words)
         except BaseException as fault:  # noqa: BLE001 - must not reach C
-            self.keep(fault)
+            if in_a_call():
+                self._own.__dict__.setdefault("raised", fault)
+            else:
+                self.keep(fault)
 
     def cancel(self, _user: int | None) -> int:
         try:
@@ -77,9 +83,11 @@ class Context:
 
     threads: at most so many at once for one call; 0: as many as the machine has.
     log: called with "info", "warning" or "error" and a text, from any thread; by default
-        Python's logging.
+        Python's logging. An exception in it comes out of the call that logged, where that
+        did so on its own thread.
     cancelled: asked every few milliseconds of work, from a thread of its own; true ends
-        the call with `Cancelled`. An exception in it ends the call and comes out of it.
+        all calls with `Cancelled`. An exception in it ends them, and comes out of the
+        first to end.
     """
 
     def __init__(

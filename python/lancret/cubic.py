@@ -71,7 +71,8 @@ def sample(
 
 
 def _starts(counts: npt.NDArray[np.integer]) -> npt.NDArray[np.int64]:
-    return np.concatenate([[0], np.cumsum(counts, dtype=np.int64)[:-1]])
+    sizes = np.asarray(counts, dtype=np.int64)
+    return np.cumsum(sizes) - sizes
 
 
 def _cubic_places(rows: Array, basis: str, steps: int) -> npt.NDArray[np.float64]:

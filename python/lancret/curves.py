@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import dataclasses
+import functools
 from collections.abc import Collection
 from ctypes import POINTER, c_float, c_uint
 from typing import Any, Literal, get_args
@@ -14,7 +15,7 @@ import numpy.typing as npt
 from . import _abi, cubic
 from ._source import pointer_to
 from .errors import CallError
-from .geometry import Counts, Floats
+from .geometry import Counts, Floats, starts_of
 
 Basis = Literal["linear", "bspline", "catmull-rom", "bezier", "hermite"]
 Attribute = Literal[
@@ -49,6 +50,10 @@ class Curves:
     Control points are those of uniform cubic curves that begin and end inside of theirs
     ("bspline", "catmull-rom": without the outermost), or in pieces of three ("bezier"),
     or points with derivatives ("hermite"), or the corners of a polyline ("linear").
+
+    Strands have as many points as they need, and stand by that in their chunk, not by
+    their ids: their order and counts may be others for another basis or max_error, and
+    are the same at all times.
     """
 
     basis: Basis
@@ -78,10 +83,23 @@ class Curves:
         """[points] at the first time, a view."""
         return self.positions[0, :, 3]
 
-    @property
+    @functools.cached_property
     def first(self) -> npt.NDArray[np.int64]:
         """[strands + 1] first point of each strand, then the end."""
-        return np.concatenate([[0], np.cumsum(self.counts, dtype=np.int64)])
+        return starts_of(self.counts)
+
+    @property
+    def pieces(self) -> npt.NDArray[np.int64]:
+        """[strands] curve segments of each."""
+        return pieces_of_curves(self.counts, self.basis)
+
+    def some(self, strands: npt.ArrayLike) -> Curves:
+        """Copies of some strands, by their numbers here, in that order."""
+        chosen = np.asarray(strands, dtype=np.int64)
+        counts = self.counts[chosen]
+        ends = starts_of(counts)
+        points = np.arange(ends[-1]) + np.repeat(self.first[chosen] - ends[:-1], counts)
+        return _part(self, chosen, points)
 
     def strand(self, index: int, time: int = 0) -> Floats:
         """[points of it][4] of one strand, a view."""
@@ -104,7 +122,17 @@ class Curves:
             )
         else:
             places, made = cubic.sample(values, counts, basis, a_piece)
-        return places, np.concatenate([[0], np.cumsum(made, dtype=np.int64)])
+        return places, starts_of(made)
+
+
+def pieces_of_curves(counts: Counts, basis: str) -> npt.NDArray[np.int64]:
+    """[strands] curve segments of each; hermite curves have as many as polylines."""
+    pieces = np.zeros(len(counts), dtype=np.int64)
+    for count, strands in cubic.groups(counts):
+        pieces[strands] = cubic.pieces_of(
+            count, "linear" if basis == "hermite" else basis
+        )
+    return pieces
 
 
 def attribute_bits(attributes: Collection[Attribute]) -> int:
@@ -151,8 +179,11 @@ def empty_curves(
 
 def part(whole: Curves, strands: slice, points: slice) -> Curves:
     """Views of some strands and of their points."""
+    return _part(whole, strands, points)
 
-    def of(array: Any, rows: slice) -> Any:
+
+def _part(whole: Curves, strands: Any, points: Any) -> Curves:
+    def of(array: Any, rows: Any) -> Any:
         return None if array is None else array[rows]
 
     def of_times(array: Any) -> Any:

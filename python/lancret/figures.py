@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Literal
+
+import numpy as np
 
 from .geometry import Doubles
 
@@ -23,6 +26,30 @@ class Info:
     fit_seconds: float
     bind_seconds: float
     bytes: int  #: kept while the groom is open
+    frames: int  #: of its cache; 0: nothing moves
+    basis: Literal["bspline", "hermite"]  #: that the groom asks for
+    shape: Literal["any", "flat", "round", "ribbon"]  #: of strands, as drawn
+    #: least and greatest corner of the guides at rest, cm: what to frame
+    box: tuple[tuple[float, float, float], tuple[float, float, float]]
+
+
+@dataclasses.dataclass(frozen=True)
+class ChunkInfo:
+    """Numbers of strands, of them those that binding had to work around."""
+
+    strands: int
+    bytes: int  #: kept while the chunk is bound
+    no_facing_guide: int
+    no_guide_in_reach: int
+    no_guide_in_sight: int
+    no_guide_in_region: int
+    opposed_root_frames: int
+    straight_guides: int
+
+    def joined(self, other: ChunkInfo) -> ChunkInfo:
+        """Of both."""
+        pairs = zip(dataclasses.astuple(self), dataclasses.astuple(other))
+        return ChunkInfo(*(mine + theirs for mine, theirs in pairs))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -40,15 +67,19 @@ class Check:
         return self.failed == 0 and self.outside == 0
 
     def joined(self, other: Check) -> Check:
-        """Of both: counts added, the greatest of the rest."""
-        counts = ("strands", "failed", "outside")
+        """Of both: counts added, the greatest of the rest, no number where one is none."""
+
+        def greatest(name: str) -> float:
+            return float(np.maximum(getattr(self, name), getattr(other, name)))
+
         return Check(
-            **{
-                field.name: (sum if field.name in counts else max)(
-                    (getattr(self, field.name), getattr(other, field.name))
-                )
-                for field in dataclasses.fields(Check)
-            }
+            strands=self.strands + other.strands,
+            failed=self.failed + other.failed,
+            outside=self.outside + other.outside,
+            orthogonality=greatest("orthogonality"),
+            length_error=greatest("length_error"),
+            curve_length_error=greatest("curve_length_error"),
+            distance=greatest("distance"),
         )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from typing import Any, Literal
 
 import numpy as np
@@ -25,6 +26,15 @@ def _rows(values: npt.ArrayLike, width: int, what: str) -> Floats:
     return array
 
 
+def starts_of(counts: npt.ArrayLike) -> npt.NDArray[np.int64]:
+    """[strands + 1] first point of each strand, then the end."""
+    return np.concatenate([[0], np.cumsum(counts, dtype=np.int64)])
+
+
+#: In __post_init__ of what is frozen after it.
+_set = object.__setattr__
+
+
 def _whole(values: npt.ArrayLike, what: str) -> Counts:
     array = np.asarray(values)
     if array.size and not np.issubdtype(array.dtype, np.integer):
@@ -34,10 +44,11 @@ def _whole(values: npt.ArrayLike, what: str) -> Counts:
     return np.ascontiguousarray(array, dtype=np.uint32)
 
 
-@dataclasses.dataclass(eq=False)
+@dataclasses.dataclass(eq=False, frozen=True)
 class Strands:
     """Hairs as points, root first. Numbers of another type are converted; float32 points
-    and uint32 counts are kept as they are, without a copy."""
+    and uint32 counts are kept as they are, without a copy. What is checked once stays so:
+    for other arrays make other strands, by `dataclasses.replace`."""
 
     points: AnyNumbers  #: [sum of counts][3], in units of `metres_per_unit`
     counts: AnyNumbers  #: [strands], points of each, >= 2; of a B-spline >= 4
@@ -49,8 +60,8 @@ class Strands:
     up: Literal["X", "Y", "Z"] | None = None  #: none: the groom's own
 
     def __post_init__(self) -> None:
-        self.points = _rows(self.points, 3, "points")
-        self.counts = _whole(self.counts, "counts")
+        _set(self, "points", _rows(self.points, 3, "points"))
+        _set(self, "counts", _whole(self.counts, "counts"))
         if self.counts.ndim != 1:
             raise InputError("counts: must be a list of whole numbers")
         total = int(self.counts.sum(dtype=np.uint64))
@@ -65,17 +76,17 @@ class Strands:
                 f"{self.basis} strand can have is {least}"
             )
         if self.widths is not None:
-            self.widths = np.ascontiguousarray(self.widths, dtype=np.float32)
+            _set(self, "widths", np.ascontiguousarray(self.widths, dtype=np.float32))
             if self.widths.shape != (len(self.points),):
                 raise InputError("widths: must be one a point")
 
     def __len__(self) -> int:
         return len(self.counts)
 
-    @property
+    @functools.cached_property
     def first(self) -> npt.NDArray[np.int64]:
         """[strands + 1] first point of each strand, then the end."""
-        return np.concatenate([[0], np.cumsum(self.counts, dtype=np.int64)])
+        return starts_of(self.counts)
 
     def strand(self, index: int) -> AnyNumbers:
         """Points of one strand, a view."""
@@ -83,10 +94,10 @@ class Strands:
         return self.points[first[index] : first[index + 1]]
 
     def taper(self) -> tuple[float, float] | None:
-        """Median diameters at roots and at tips, cm; none without widths."""
+        """Median diameters at roots and at tips, in the strands' unit; none without
+        widths."""
         if self.widths is None or not len(self):
             return None
-        cm = 100 * (self.metres_per_unit or 0.01)
         roots, tips = self.first[:-1], self.first[1:] - 1
         at_roots, at_tips = self.widths[roots], self.widths[tips]
         if self.basis == "bspline":  # control values: the curve ends inside of them
@@ -94,10 +105,10 @@ class Strands:
                 at_roots + 4 * self.widths[roots + 1] + self.widths[roots + 2]
             ) / 6
             at_tips = (at_tips + 4 * self.widths[tips - 1] + self.widths[tips - 2]) / 6
-        return float(np.median(at_roots)) * cm, float(np.median(at_tips)) * cm
+        return float(np.median(at_roots)), float(np.median(at_tips))
 
 
-@dataclasses.dataclass(eq=False)
+@dataclasses.dataclass(eq=False, frozen=True)
 class Mesh:
     """Triangles that hair grows on."""
 
@@ -106,12 +117,12 @@ class Mesh:
     uvs: AnyNumbers | None = None  #: [triangles][3][2]
 
     def __post_init__(self) -> None:
-        self.positions = _rows(self.positions, 3, "positions")
-        self.corners = _whole(self.corners, "corners")
+        _set(self, "positions", _rows(self.positions, 3, "positions"))
+        _set(self, "corners", _whole(self.corners, "corners"))
         if self.corners.ndim != 2 or self.corners.shape[1] != 3:
             raise InputError(f"corners: has the shape {self.corners.shape}, not (n, 3)")
         if self.uvs is not None:
-            self.uvs = np.ascontiguousarray(self.uvs, dtype=np.float32)
+            _set(self, "uvs", np.ascontiguousarray(self.uvs, dtype=np.float32))
             if self.uvs.shape != (len(self.corners), 3, 2):
                 raise InputError(
                     f"uvs: has the shape {self.uvs.shape}, not ({len(self.corners)}, 3, 2)"

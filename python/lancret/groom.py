@@ -5,32 +5,27 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import functools
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from ctypes import byref, c_float, c_void_p
 from types import TracebackType
-from typing import Any, Literal
+from typing import Any, Literal, Unpack
 
 import numpy as np
 
-from . import _abi
+from . import _abi, _chunk, _told
 from ._handle import Handle
 from ._library import library
-from ._options import Times, chunk_index, moments_of, options_of
+from ._options import Options, Times, chunk_index, moments_of, options_of
 from ._source import Source
 from .context import Context
 from .curves import IDS, Attribute, Basis, Curves, buffers_of, empty_curves, part
-from .figures import Check, Guides, Info
 from .errors import CallError
-from .geometry import Doubles, Floats
+from .figures import Check, ChunkInfo, Guides, Info
+from .geometry import Floats, Mesh
 
 #: Of the text of an error.
 ERROR_BYTES = 4096
-
-
-def _copy(pointer: Any, *shape: int) -> Doubles:
-    if 0 in shape:
-        return np.empty(shape)
-    return np.ctypeslib.as_array(pointer, shape).copy()
+Figure = Literal["length_error", "orthogonality", "curvature", "torsion", "region"]
 
 
 class Groom:
@@ -42,9 +37,10 @@ class Groom:
         pointer, text = c_void_p(), ctypes.create_string_buffer(ERROR_BYTES)
         host = context.handle.enter()
         try:
-            status = library().lancret_open(
-                host, byref(source.struct), byref(pointer), text, ERROR_BYTES
-            )
+            with context.handle.use():
+                status = library().lancret_open(
+                    host, byref(source.struct), byref(pointer), text, ERROR_BYTES
+                )
             if pointer.value:
 
                 def release(groom: int) -> None:
@@ -89,15 +85,8 @@ class Groom:
 
     @functools.cached_property
     def info(self) -> Info:
-        struct = _abi.Info()
         with self._handle.use() as groom:
-            self.context.raise_for(library().lancret_get_info(groom, byref(struct)))
-        values = {name: getattr(struct, name) for name, *_ in _abi.Info._fields_[1:]}
-        values["up"] = tuple(struct.up)
-        values["cm_per_unit"] = float(
-            str(np.float32(struct.cm_per_unit))
-        )  # 0.1, not ..01
-        return Info(**values)
+            return _told.info_of(self.context, groom)
 
     @property
     def chunks(self) -> range:
@@ -105,17 +94,27 @@ class Groom:
         return range(self.info.chunks)
 
     def guides(self) -> Guides:
-        struct = _abi.Guides()
         with self._handle.use() as groom:
-            self.context.raise_for(library().lancret_get_guides(groom, byref(struct)))
-            count, segments = struct.guides, struct.segments
-            return Guides(
-                root_positions=_copy(struct.root_positions, count, 3),
-                root_frames=_copy(struct.root_frames, count, 3, 3),
-                segment_lengths=_copy(struct.segment_lengths, count, segments),
-                curvatures=_copy(struct.curvatures, count, segments, 3),
-                fit_rms=_copy(struct.fit_rms, count) if struct.fit_rms else None,
-            )
+            return _told.guides_of(self.context, groom)
+
+    def describe(self) -> dict[str, Any]:
+        """What guides were fitted to, and how well: groom_strands, guides, segments,
+        blend, fit, roots."""
+        with self._handle.use() as groom:
+            return _told.description_of(self.context, groom)
+
+    def head(self, time: float | None = None) -> Mesh:
+        """What is seen of the head at a time (none: the first frame, or rest), in cm;
+        without vertices where there is none."""
+        at = float(self.info.first_frame if time is None else time)
+        with self._handle.use() as groom:
+            return _told.head_of(self.context, groom, at)
+
+    def is_still(self, times: float | Sequence[float]) -> bool:
+        """Whether guides and head are at all of these times where they are at the first,
+        so that the strands of one are those of all."""
+        with self._handle.use() as groom:
+            return _told.is_still(self.context, groom, moments_of(times))
 
     # ---- strands ----
 
@@ -124,7 +123,7 @@ class Groom:
         chunk: int,
         times: Times = None,
         kind: Literal["reach", "tight"] = "reach",
-        **options: Any,
+        **options: Unpack[Options],
     ) -> Floats:
         """[2][3]: least and greatest corner of a box that holds a chunk at `times` and
         between them. "reach" costs next to nothing and is wide; "tight" grows the chunk.
@@ -156,7 +155,7 @@ class Groom:
     ) -> Curves:
         """Grows a chunk, some chunks, or all of them (None), into one set of arrays.
 
-        times: frames, up to 64; none: the first, or rest.
+        times: frames, up to 256; none: the first, or rest.
         density: share of the strands that are grown, wider; 0: the groom's own.
         max_error: that curves may be off the strands, in the units given back; 0: the
             groom's own tolerance.
@@ -175,14 +174,15 @@ class Groom:
             strands_a_pixel,
             unit,
         )
-        if chunk is None:
-            chunk = self.chunks
-        numbers = [chunk] if isinstance(chunk, (int, np.integer)) else list(chunk)
-        with self._handle.use() as groom, contextlib.ExitStack() as bound:
+        numbers = self._numbers(chunk)
+        with self._handle.use() as groom, contextlib.ExitStack() as until_done:
             opened = [
-                self._open_chunk(bound, groom, number, asked) for number in numbers
+                until_done.enter_context(
+                    _chunk.bound(self.context, groom, number, asked)
+                )
+                for number in numbers
             ]
-            sizes = [self._sizes(chunk_handle) for chunk_handle in opened]
+            sizes = [_chunk.sizes_of(self.context, handle) for handle in opened]
             whole = empty_curves(
                 basis,
                 moments,
@@ -192,45 +192,74 @@ class Groom:
                 neighbours=max((size.neighbours for size in sizes), default=0),
             )
             strand = point = 0
-            for chunk_handle, size in zip(opened, sizes):
+            for handle, size in zip(opened, sizes):
                 strands = slice(strand, strand + size.strands)
                 points = slice(point, point + size.points)
                 buffers = buffers_of(part(whole, strands, points))
                 self.context.raise_for(
-                    library().lancret_chunk_write(chunk_handle, byref(buffers))
+                    library().lancret_chunk_write(handle, byref(buffers))
                 )
                 strand, point = strands.stop, points.stop
         return whole
 
-    def _open_chunk(
+    def figures(
         self,
-        bound: contextlib.ExitStack,
-        groom: int,
-        number: int,
-        asked: _abi.Options,
-    ) -> int:
-        pointer = c_void_p()
-        status = library().lancret_chunk_open(
-            groom, chunk_index(number), byref(asked), byref(pointer)
-        )
-        if pointer.value:
-            bound.callback(library().lancret_chunk_close, pointer.value)
-        self.context.raise_for(status)
-        return pointer.value or 0
+        figure: Figure,
+        chunk: int | Iterable[int] | None = None,
+        time: float | None = None,
+        **options: Unpack[Options],
+    ) -> Floats:
+        """A figure of the strands that `expand` gives of the same chunks and options, one
+        strand after another; a strand of n `pieces` has
 
-    def _sizes(self, chunk: int) -> _abi.Curves:
-        sizes = _abi.Curves()
-        self.context.raise_for(library().lancret_chunk_sizes(chunk, byref(sizes)))
-        return sizes
+        "length_error": one, relative, of what was synthesised;
+        "region": one, its number;
+        "orthogonality": n + 1, at the ends of its pieces, |R^T R - 1| of the frame;
+        "curvature", "torsion": n, in its pieces, 1/cm; torsion above 0 is right-handed.
+
+        What is no finite number is the largest float32. Raises InputError for the torsion
+        of frames that are carried without twist, and the region where there are none.
+        """
+        asked = options_of(moments_of(time), **options)
+        parts, numbers = [np.empty(0, dtype=np.float32)], self._numbers(chunk)
+        with self._handle.use() as groom:
+            for number in numbers:
+                with _chunk.bound(self.context, groom, number, asked) as handle:
+                    parts.append(_chunk.figures_of(self.context, handle, figure))
+        return np.concatenate(parts)
+
+    def binding(
+        self,
+        chunk: int | Iterable[int] | None = None,
+        time: float | None = None,
+        **options: Unpack[Options],
+    ) -> ChunkInfo:
+        """What binding had to work around, of some chunks or all (None) together."""
+        asked = options_of(moments_of(time), **options)
+        joined, numbers = ChunkInfo(0, 0, 0, 0, 0, 0, 0, 0), self._numbers(chunk)
+        with self._handle.use() as groom:
+            for number in numbers:
+                with _chunk.bound(self.context, groom, number, asked) as handle:
+                    joined = joined.joined(_chunk.info_of(self.context, handle))
+        return joined
+
+    def _numbers(self, chunk: int | Iterable[int] | None) -> list[int]:
+        if chunk is None:
+            return list(self.chunks)
+        return list(chunk) if isinstance(chunk, Iterable) else [chunk]
 
     def check(
-        self, chunk: int | None = None, times: Times = None, **options: Any
+        self,
+        chunk: int | Iterable[int] | None = None,
+        times: Times = None,
+        **options: Unpack[Options],
     ) -> Check:
-        """Looks at every strand of a chunk, or of all (None), at the first of `times`."""
+        """Looks at every strand of some chunks, or of all (None), at the first of
+        `times`."""
         asked = options_of(moments_of(times), **options)
-        joined = Check(0, 0, 0, 0.0, 0.0, 0.0, 0.0)
+        joined, numbers = Check(0, 0, 0, 0.0, 0.0, 0.0, 0.0), self._numbers(chunk)
         with self._handle.use() as groom:
-            for number in self.chunks if chunk is None else (chunk,):
+            for number in numbers:
                 struct = _abi.Check()
                 self.context.raise_for(
                     library().lancret_check_chunk(

@@ -45,9 +45,9 @@ def picture(
     of them, evenly chosen. `up` is the axis that points up, 1 for Y and 2 for Z; `time`
     the number of one of the curves' times. Roots are dark and tips light, unless `colour`
     says otherwise."""
+    pyplot = _pyplot()
     from matplotlib.collections import LineCollection
 
-    pyplot = _pyplot()
     lines = _lines(curves, time, most)
     figure, axes = pyplot.subplots(
         1, len(_VIEWS), figsize=(size * len(_VIEWS), size), layout="constrained"
@@ -79,16 +79,19 @@ def _lines(curves: Curves, time: int, most: int) -> list[Doubles]:
         raise InputError("there are no strands to draw")
     if most < 1:
         raise InputError(f"most: must be 1 or more, not {most}")
-    places, first = curves.places(time=time)
     some = np.unique(
         np.linspace(0, len(curves) - 1, min(most, len(curves))).astype(int)
     )
-    return [places[first[i] : first[i + 1], :3] for i in some]
+    places, first = curves.some(some).places(time=time)
+    return [places[a:b, :3] for a, b in zip(first[:-1], first[1:])]
 
 
 def lengths_and_curvatures(curves: Curves, *, time: int = 0) -> tuple[Doubles, Doubles]:
     """Lengths of strands, and curvatures at places inside of them (of the circle through
-    three neighbouring places), in the units of the curves and one over them."""
+    three neighbouring places), in the units of the curves and one over them; none of
+    strands of two places."""
+    if not len(curves):
+        raise InputError("there are no strands to measure")
     places, first = curves.places(time=time)
     steps = np.diff(places[:, :3], axis=0)
     chords = np.linalg.norm(steps, axis=1)
@@ -111,7 +114,9 @@ def histograms(
     figure, axes = pyplot.subplots(
         1, 2, figsize=(2.5 * size, size), layout="constrained"
     )
-    shown = curvatures[curvatures <= np.quantile(curvatures, 0.995)]
+    shown = curvatures
+    if len(curvatures):
+        shown = curvatures[curvatures <= np.quantile(curvatures, 0.995)]
     axes[0].hist(lengths, bins=bins)
     axes[0].set(xlabel="length", ylabel="strands")
     axes[1].hist(shown, bins=bins)

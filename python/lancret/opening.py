@@ -6,7 +6,7 @@ import ctypes
 import json
 import os
 from ctypes import byref
-from typing import Any
+from typing import Any, TypedDict, Unpack
 
 from . import _abi
 from ._library import library
@@ -64,8 +64,22 @@ def open(  # noqa: A001 - lancret.open is what it is called
         own.close()  # lives on as long as the groom
 
 
+class How(TypedDict, total=False):
+    """What `open` may be given besides a source and a context."""
+
+    text: str | None
+    folder: Path | None
+    parameters: Parameters | None
+    strands: Strands | None
+    scalp: Mesh | None
+    chunk_strands: int
+    threads: int
+    log: LogCallback | None
+    cancelled: CancelCallback | None
+
+
 def fit(
-    source: Path | None = None, *, context: Context | None = None, **how: Any
+    source: Path | None = None, *, context: Context | None = None, **how: Unpack[How]
 ) -> Guides:
     """Super-Helix guides fitted to a groom's strands; `how` as for `open`."""
     with open(source, context=context, **how) as groom:

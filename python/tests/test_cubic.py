@@ -58,6 +58,15 @@ class Cubic(unittest.TestCase):
         np.testing.assert_allclose(3 * (made[1] - made[0]), tangents[0], atol=1e-14)
         np.testing.assert_allclose(3 * (made[6] - made[5]), tangents[2], atol=1e-14)
 
+    def test_of_no_curves_there_are_no_places(self):
+        nothing, counts = np.empty((0, 4)), np.empty(0, np.uint32)
+        for made, sizes in (
+            cubic.sample(nothing, counts, "bspline", 4),
+            cubic.with_phantoms(nothing, counts),
+            cubic.hermite_as_bezier(nothing, nothing, counts),
+        ):
+            self.assertEqual((made.shape, sizes.shape), ((0, 4), (0,)))
+
     def test_counts_that_make_no_curve_are_refused(self):
         for count, basis in (
             (1, "linear"),

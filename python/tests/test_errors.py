@@ -1,5 +1,6 @@
 """What is refused before the library sees it, and how it is found."""
 
+import dataclasses
 import os
 import subprocess
 import sys
@@ -54,6 +55,48 @@ class Input(unittest.TestCase):
         self.assertEqual(said[b"scene.metres_per_unit"], 0.001)
         self.assertAlmostEqual(said[b"width.root"], 0.05)
         self.assertEqual(said[b"width.tip"], 7)
+
+    def widths_told(self, text=None, parameters=None, **scene):
+        strands = lancret.Strands(
+            np.zeros((4, 3)), counts=[2, 2], widths=[0.5, 0.25] * 2, **scene
+        )
+        source = Source(None, text=text, strands=strands, parameters=parameters)
+        count = source.struct.parameter_count
+        said = {p.name: p.number for p in source.struct.parameters[:count]}
+        return said.get(b"width.root"), said.get(b"width.tip")
+
+    def test_widths_are_in_the_unit_that_holds(self):
+        toml = "[scene]\nmetres_per_unit = 1\n"
+        unit = {"scene.metres_per_unit": 0.5}
+        self.assertEqual(self.widths_told(), (0.5, 0.25))
+        self.assertEqual(self.widths_told(metres_per_unit=1.0), (50, 25))
+        self.assertEqual(self.widths_told(toml, unit), (25, 12.5))
+        self.assertEqual(
+            self.widths_told(toml, unit, metres_per_unit=0.001), (25, 12.5)
+        )
+        with self.assertRaisesRegex(lancret.InputError, "widths: of which unit"):
+            self.widths_told(toml)
+        cm = {"width": {"root": 3, "tip": 2}}
+        self.assertEqual(self.widths_told(toml, cm), (3, 2))
+
+    def test_what_would_not_arrive_as_it_is_is_refused(self):
+        for parameters, said in (
+            ({"strands.seed": 2**53 + 1}, "strands.seed: 9007199254740993 is beyond"),
+            ({"strands.blend": "detail\0xx"}, "zero byte"),
+            ({"strands.blend\0xx": "detail"}, "zero byte"),
+        ):
+            with self.assertRaisesRegex(lancret.InputError, said):
+                Source(None, parameters=parameters)
+        Source(None, parameters={"strands.seed": 2**53, "strands.count": np.int64(3)})
+
+    def test_what_was_checked_stays_so(self):
+        strands = lancret.Strands(np.zeros((4, 3)), counts=[4])
+        with self.assertRaises(dataclasses.FrozenInstanceError):
+            strands.points = np.zeros((2, 3))
+        with self.assertRaisesRegex(lancret.InputError, "there are 2"):
+            dataclasses.replace(strands, points=np.zeros((2, 3)))
+        turned = dataclasses.replace(strands, points=strands.points[:, [0, 2, 1]])
+        self.assertTrue(turned.points.flags.c_contiguous)
 
     def test_arrays_that_fit_are_handed_on_without_a_copy(self):
         points = np.zeros((4, 3), np.float32)

@@ -69,6 +69,10 @@ class Layout(WithFolder):
         said = dict(re.findall(r"LANCRET_(\w+) = (\d+)", text))
         for name, number in (_abi.BASES | _abi.ATTRIBUTES).items():
             self.assertEqual(int(said[name.upper().replace("-", "_")]), number, name)
+        for name, number in _abi.FIGURES.items():
+            self.assertEqual(int(said[name.upper()]), number, name)
+        shapes = ("ANY_SHAPE", "FLAT", "ROUND", "RIBBON")
+        self.assertEqual([int(said[name]) for name in shapes], list(_abi.SHAPES))
         for number, name in _abi.LOG_LEVELS.items():
             self.assertEqual(int(said[f"LOG_{name.upper()}"]), number)
         self.assertIn(f"#define LANCRET_ABI_VERSION {_abi.ABI_VERSION}\n", text)

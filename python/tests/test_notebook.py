@@ -1,6 +1,8 @@
 """Figures of strands."""
 
+import sys
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -51,6 +53,19 @@ class Figures(unittest.TestCase):
         figure = notebook.histograms(circles([1, 2, 3]))
         counted = sum(bar.get_height() for bar in figure.axes[0].patches)
         self.assertEqual(counted, 3)
+
+    @needs_plots
+    def test_strands_of_two_points_have_lengths_alone(self):
+        lengths, curvatures = notebook.lengths_and_curvatures(circles([1, 2], points=2))
+        self.assertEqual((lengths.tolist(), len(curvatures)), ([2, 4], 0))
+        notebook.histograms(circles([1, 2], points=2))
+
+    def test_without_matplotlib_it_says_what_to_install(self):
+        curves = circles([1])
+        with unittest.mock.patch.dict(sys.modules, {"matplotlib": None}):
+            for draw in (notebook.picture, notebook.histograms):
+                with self.assertRaisesRegex(ImportError, r"lancret\[notebook\]"):
+                    draw(curves)
 
     def test_nothing_to_draw_says_so(self):
         with self.assertRaisesRegex(lancret.InputError, "no strands"):

@@ -176,12 +176,50 @@ class Widths(unittest.TestCase):
         expected = np.concatenate([np.linspace(1, 2, 9), np.linspace(2, 4, 9)[1:]])
         np.testing.assert_allclose(usd.read(stage).widths, expected, rtol=1e-6)
 
+    def test_varying_widths_of_different_counts_stay_with_their_curves(self):
+        stage, curves = stage_with(some_points(4 + 7 + 4), [4, 7, 4], basis="bezier")
+        curves.CreateWidthsAttr([1, 2, 10, 20, 40, 5, 6])
+        curves.SetWidthsInterpolation("varying")
+        read = usd.read(stage)
+        ends = [
+            read.widths[[a, b - 1]].tolist() for a, b in zip(read.first, read.first[1:])
+        ]
+        self.assertEqual(ends, [[1, 2], [10, 40], [5, 6]])
+        curves.SetWidthsInterpolation("faceVarying")  # of curves the same
+        np.testing.assert_array_equal(usd.read(stage).widths, read.widths)
+
+    def test_the_primvar_goes_before_the_attribute(self):
+        stage, curves = stage_with(some_points(4), [4])
+        curves.CreateWidthsAttr([1.0] * 4)
+        curves.SetWidthsInterpolation("vertex")
+        primvars = UsdGeom.PrimvarsAPI(curves)
+        floats = Sdf.ValueTypeNames.FloatArray
+        primvars.CreatePrimvar("widths", floats, "constant").Set([0.25])
+        self.assertEqual(usd.read(stage).widths.tolist(), [0.25] * 4)
+        curves.GetWidthsAttr().Clear()
+        self.assertEqual(usd.read(stage).widths.tolist(), [0.25] * 4)
+        primvars.GetPrimvar("widths").Set([float("nan")])
+        with self.assertRaisesRegex(InputError, ":/hair: primvars:widths has a number"):
+            usd.read(stage)
+
+    def test_may_be_inherited(self):
+        stage = Usd.Stage.CreateInMemory()
+        above = UsdGeom.Xform.Define(stage, "/above")
+        floats = Sdf.ValueTypeNames.FloatArray
+        UsdGeom.PrimvarsAPI(above).CreatePrimvar("widths", floats, "constant").Set(
+            [0.5]
+        )
+        curves = UsdGeom.BasisCurves.Define(stage, "/above/hair")
+        curves.CreateCurveVertexCountsAttr([4])
+        curves.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(some_points(4)))
+        self.assertEqual(set(usd.read(stage).widths), {0.5})
+
     def test_a_tapers_ends_are_those_of_the_curve(self):
         stage, curves = stage_with(some_points(5), [5], wrap="pinned")
         curves.CreateWidthsAttr([0.5, 0.4, 0.3, 0.2, 0.1])
         curves.SetWidthsInterpolation("vertex")
         UsdGeom.SetStageMetersPerUnit(stage, 1)
-        np.testing.assert_allclose(usd.read(stage).taper(), (50, 10), rtol=1e-5)
+        np.testing.assert_allclose(usd.read(stage).taper(), (0.5, 0.1), rtol=1e-5)
 
     def test_widths_of_no_fitting_number_are_refused(self):
         stage, curves = stage_with(some_points(9), [4, 5])
@@ -229,6 +267,11 @@ class Places(unittest.TestCase):
         Sdf.CopySpec(stage.GetRootLayer(), "/hair", stage.GetRootLayer(), "/proto/hair")
         stage.RemovePrim("/hair")
         self.assertEqual(len(usd.read(stage, "/place1")), 1)
+        whole = usd.read(stage).points.reshape(-1, 4, 3)
+        self.assertEqual(len(whole), 3)  # the prototype stands there as well
+        np.testing.assert_allclose(
+            sorted(whole[:, 0, 0] - whole[:, 0, 0].min()), [0, 0, 10], atol=1e-5
+        )
         np.testing.assert_allclose(
             usd.read(stage, "/place1").points,
             usd.read(stage, "/place0").points + [10, 0, 0],
@@ -248,6 +291,75 @@ class Places(unittest.TestCase):
         other.CreateTypeAttr("linear")
         with self.assertRaisesRegex(InputError, "linear and cubic curves together"):
             usd.read(stage)
+
+    def test_what_is_not_seen_is_not_read_unless_it_is_named(self):
+        stage, _ = stage_with(some_points(4), [4])
+        for name in ("invisible", "proxy", "guide", "render"):
+            other = UsdGeom.BasisCurves.Define(stage, f"/{name}")
+            other.CreateCurveVertexCountsAttr([4])
+            other.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(some_points(4)))
+            if name == "invisible":
+                other.MakeInvisible()
+            else:
+                other.CreatePurposeAttr(name)
+        self.assertEqual(len(usd.read(stage)), 2)
+        self.assertEqual(len(usd.read(stage, purposes=("guide", "proxy"))), 2)
+        for name in ("invisible", "guide"):
+            self.assertEqual(len(usd.read(stage, f"/{name}")), 1)
+        for name in ("hair", "render"):
+            stage.RemovePrim(f"/{name}")
+        with self.assertRaisesRegex(
+            InputError, "3 BasisCurves, but none that is visible"
+        ):
+            usd.read(stage)
+
+    def test_what_a_point_instancer_places_is_refused(self):
+        stage, _ = stage_with(some_points(4), [4])
+        UsdGeom.PointInstancer.Define(stage, "/many")
+        Sdf.CopySpec(stage.GetRootLayer(), "/hair", stage.GetRootLayer(), "/many/hair")
+        with self.assertRaisesRegex(InputError, "/many/hair: is placed by .* /many"):
+            usd.read(stage)
+        self.assertEqual(len(usd.read(stage, "/many/hair")), 1)
+
+    def test_a_prim_without_curves_is_no_matter(self):
+        for wrap in ("pinned", "nonperiodic"):
+            stage, _ = stage_with(np.empty((0, 3)), [], wrap=wrap)
+            self.assertEqual(len(usd.read(stage)), 0)
+            other = UsdGeom.BasisCurves.Define(stage, "/other")
+            other.CreateCurveVertexCountsAttr([4])
+            other.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(some_points(4)))
+            self.assertEqual(len(usd.read(stage)), 1)
+
+    def test_what_only_some_prims_have_is_left_out_with_a_warning(self):
+        stage, curves = stage_with(some_points(4), [4])
+        curves.CreateWidthsAttr([1.0])
+        curves.SetWidthsInterpolation("constant")
+        other = UsdGeom.BasisCurves.Define(stage, "/other")
+        other.CreateCurveVertexCountsAttr([4])
+        other.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(some_points(4)))
+        with self.assertLogs("lancret", "WARNING") as said:
+            self.assertIsNone(usd.read(stage).widths)
+        self.assertEqual(len(said.output), 1)
+        self.assertRegex(said.output[0], ":/other: has no widths")
+
+    def test_a_prim_is_read_at_one_time(self):
+        """That of its points' first sample: for its place and its widths as well, and
+        whatever the points' default is."""
+        stage, curves = stage_with(np.zeros((4, 3)), [4])
+        curves.GetPointsAttr().Set(Vt.Vec3fArray.FromNumpy(np.ones((4, 3), "f4")), 10)
+        place = UsdGeom.Xformable(curves).AddTranslateOp()
+        place.Set(Gf.Vec3d(0, 0, 0), 1)
+        place.Set(Gf.Vec3d(9, 0, 0), 10)
+        widths = curves.CreateWidthsAttr()
+        widths.Set([1.0], 1)
+        widths.Set([3.0], 10)
+        curves.SetWidthsInterpolation("constant")
+        read = usd.read(stage)
+        self.assertEqual(read.points[0].tolist(), [10, 1, 1])
+        self.assertEqual(read.widths[0], 3)
+        curves.GetPointsAttr().ClearAtTime(10)
+        read = usd.read(stage)  # nothing but the default: first samples of the rest
+        self.assertEqual((read.points[0].tolist(), read.widths[0]), ([0, 0, 0], 1))
 
     def test_samples_are_read_at_their_times_and_the_first_by_default(self):
         stage, curves = stage_with(some_points(4), [4])

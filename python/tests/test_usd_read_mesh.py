@@ -55,6 +55,19 @@ class Meshes(unittest.TestCase):
         with self.assertRaisesRegex(InputError, "no primvar UVMap"):
             usd.read_mesh(stage, uv="UVMap")
 
+    def test_holes_are_left_out(self):
+        stage, mesh = self.square("rightHanded")
+        mesh.CreateHoleIndicesAttr([0])
+        self.assertEqual(usd.read_mesh(stage).corners.tolist(), [[1, 4, 2]])
+
+    def test_a_mesh_that_is_not_seen_is_none_of_several(self):
+        stage, _ = self.square("rightHanded")
+        other = UsdGeom.Mesh.Define(stage, "/cage")
+        with self.assertRaisesRegex(InputError, "2 meshes"):
+            usd.read_mesh(stage)
+        other.CreatePurposeAttr("guide")
+        self.assertEqual(len(usd.read_mesh(stage).corners), 3)
+
     def test_indices_beyond_the_points_are_refused(self):
         stage, mesh = self.square("rightHanded")
         mesh.CreateFaceVertexIndicesAttr([0, 1, 2, 3, 1, 5, 2])

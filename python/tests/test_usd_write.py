@@ -1,5 +1,6 @@
 """Strands as BasisCurves, and back."""
 
+import os
 import unittest
 
 import numpy as np
@@ -36,6 +37,8 @@ def read_back(path, prim="/Hair/strands", time=None):
         "id": primvar("id"),
         "st": primvar("st"),
         "hairLength": primvar("hairLength"),
+        "hairRandom": primvar("hairRandom"),
+        "normals": np.array(curves.GetNormalsAttr().Get(code)),
     }
 
 
@@ -43,12 +46,18 @@ def read_back(path, prim="/Hair/strands", time=None):
 class Writing(WithFolder):
     def test_what_is_read_back_is_what_was_grown(self):
         for name in ("hair.usda", "hair.usdc"):
-            for basis in ("bspline", "linear", "bezier"):
+            for basis in ("bspline", "linear", "bezier", "catmull-rom"):
                 with self.subTest(name=name, basis=basis), lancret.open(SMALL) as groom:
                     path = self.folder / f"{basis}.{name}"
                     asked = {
                         "basis": basis,
-                        "attributes": ("ids", "root_uv", "lengths"),
+                        "attributes": (
+                            "ids",
+                            "root_uv",
+                            "lengths",
+                            "random",
+                            "normals",
+                        ),
                     }
                     usd.write(path, groom, **asked)
                     hair, back = groom.expand(**asked), read_back(path)
@@ -58,6 +67,8 @@ class Writing(WithFolder):
                 np.testing.assert_array_equal(back["id"], hair.ids)
                 np.testing.assert_array_equal(back["st"], hair.root_uv)
                 np.testing.assert_array_equal(back["hairLength"], hair.lengths)
+                np.testing.assert_array_equal(back["hairRandom"], hair.random)
+                np.testing.assert_array_equal(back["normals"], hair.normals[0, :, :3])
 
     def test_the_checker_has_nothing_to_complain_of(self):
         path = self.folder / "hair.usda"
@@ -130,12 +141,68 @@ class Writing(WithFolder):
                 ("hair.usda", {"prim": "/a/b"}, "must be at the root"),
                 ("hair.usda", {"prim": "hair"}, "must be at the root"),
                 ("nowhere/hair.usda", {}, "nowhere: no such folder"),
+                ("hair.usda", {"times": []}, "times: there are none"),
+                ("hair.usda", {"attributes": ("tangents",)}, "tangents: cannot be wr"),
             ):
                 with self.assertRaisesRegex(lancret.InputError, said):
                     usd.write(self.folder / name, groom, **how)
             with self.assertRaises(lancret.CallError):
                 usd.write(self.folder / "hair.usda", groom, density=-1)
         self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_after_a_failure_the_next_may_succeed(self):
+        path, kept = self.folder / "hair.usda", []
+        with lancret.open(SMALL) as groom:
+            try:
+                usd.write(path, groom, density=-1)
+            except lancret.CallError as fault:
+                kept.append(fault)  # as a notebook keeps it, and all that it refers to
+            usd.write(path, groom)
+        self.assertEqual([one.name for one in self.folder.iterdir()], ["hair.usda"])
+        self.assertEqual(len(kept), 1)
+
+    def test_stages_that_are_open_see_the_new_file(self):
+        for name in ("hair.usda", "hair.usdc"):
+            path = self.folder / name
+            with lancret.open(SMALL) as groom:
+                usd.write(path, groom)
+            before = os.getcwd()
+            self.addCleanup(os.chdir, before)
+            os.chdir(self.folder)
+            kept = Usd.Stage.Open(name)
+            with lancret.open(SMALL, parameters={"strands.count": 50}) as groom:
+                usd.write(path, groom)
+            self.assertEqual((len(usd.read(path)), len(usd.read(kept))), (50, 50))
+
+    def test_other_strands_at_the_same_path_are_refused(self):
+        stage = Usd.Stage.CreateInMemory()
+
+        def curve(points, time, number=0):
+            return lancret.Curves(
+                basis="linear",
+                times=(time,),
+                counts=np.array([points], np.uint32),
+                positions=np.random.default_rng(1).random((1, points, 4), np.float32),
+                ids=np.array([number], np.uint32),
+            )
+
+        usd.add_curves(stage, "/hair", curve(4, 1.0))
+        usd.add_curves(stage, "/hair", curve(4, 2.0))
+        for other in (curve(6, 3.0), curve(4, 3.0, number=1)):
+            with self.assertRaisesRegex(
+                lancret.InputError, "/hair: has curves with other"
+            ):
+                usd.add_curves(stage, "/hair", other)
+        found = UsdGeom.BasisCurves(stage.GetPrimAtPath("/hair"))
+        self.assertEqual(found.GetPointsAttr().GetTimeSamples(), [1, 2])
+
+    def test_one_time_need_not_be_a_list(self):
+        path = self.folder / "hair.usda"
+        with lancret.open(SMALL) as groom:
+            usd.write(path, groom, times=3)
+        self.assertEqual(
+            len(read_back(path, time=3)["points"]), len(usd.read(path).points)
+        )
 
     @unittest.skipUnless(command(), "the program `lancret` is not built")
     def test_frames_become_time_samples(self):

@@ -24,7 +24,7 @@ def forget() -> None:
         bpy.app.timers.unregister(_tick)
 
 
-def _tick() -> None:
+def _tick() -> float | None:
     from . import grow, handlers, settings
 
     if handlers.rendering():
@@ -32,5 +32,5 @@ def _tick() -> None:
     while _names:
         thing = bpy.data.objects.get(_names.pop())
         if thing is not None and settings.is_lancret(thing):
-            grow.in_viewport(thing)
+            grow.anew(thing, bpy.context.scene)
     return None

@@ -1,12 +1,14 @@
-"""Grooms that are open, so that neither a frame nor another density loads them again."""
+"""Grooms that are open, one an object, so that neither a frame nor another density loads
+them again."""
 
 from __future__ import annotations
 
-import collections
+import dataclasses
 import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import bpy
 import numpy as np
 
 from .package import lancret
@@ -14,8 +16,7 @@ from .package import lancret
 if TYPE_CHECKING:
     from .sources import Source
 
-_MOST = 8  # kept open
-_grooms: collections.OrderedDict[str, Any] = collections.OrderedDict()
+_grooms: dict[str, tuple[str, Any]] = {}  # by the object's name: what it is of, and it
 _units: dict[tuple[Any, ...], tuple[float, tuple[float, ...]]] = {}
 _context: Any = None
 
@@ -28,12 +29,12 @@ def context() -> Any:
     return _context
 
 
-def groom(source: Source) -> Any:
-    """The lancret.Groom of a source. Raises lancret.Error."""
+def groom(source: Source, owner: str) -> Any:
+    """The lancret.Groom of a source, for the object of this full name. Raises
+    lancret.Error."""
     key = _key(source)
-    if key in _grooms:
-        _grooms.move_to_end(key)
-        return _grooms[key]
+    if owner in _grooms and _grooms[owner][0] == key:
+        return _grooms[owner][1]
     found = lancret().open(
         source.path,
         parameters=source.parameters,
@@ -42,9 +43,10 @@ def groom(source: Source) -> Any:
         chunk_strands=source.chunk_strands,
         context=context(),
     )
-    _grooms[key] = found
-    while len(_grooms) > _MOST:
-        _grooms.popitem(last=False)[1].close()
+    there = {one.name_full for one in bpy.data.objects}
+    for name in [name for name in _grooms if name == owner or name not in there]:
+        _grooms.pop(name)[1].close()
+    _grooms[owner] = key, found
     return found
 
 
@@ -52,7 +54,8 @@ def units(path: str) -> tuple[float, tuple[float, ...]]:
     """cm of a file's unit and which way is up in it. Raises lancret.Error."""
     key = (path, *_stamp(path))
     if key not in _units:
-        with lancret().open(path, parameters={"strands.count": 1}) as groom:
+        one = {"strands.count": 1}
+        with lancret().open(path, parameters=one, context=context()) as groom:
             _units[key] = (groom.info.cm_per_unit, groom.info.up)
     return _units[key]
 
@@ -60,7 +63,7 @@ def units(path: str) -> tuple[float, tuple[float, ...]]:
 def forget() -> None:
     _units.clear()
     while _grooms:
-        _grooms.popitem()[1].close()
+        _grooms.popitem()[1][1].close()
 
 
 def close() -> None:
@@ -72,21 +75,22 @@ def close() -> None:
 
 
 def _key(source: Source) -> str:
-    told = hashlib.sha256()
-    arrays = []
-    if source.strands is not None:
-        arrays += [source.strands.points, source.strands.counts]
-    if source.scalp is not None:
-        arrays += [source.scalp.positions, source.scalp.corners, source.scalp.uvs]
-    stamp = _stamp(source.path)
-    told.update(
-        repr((source.path, stamp, source.parameters, source.chunk_strands)).encode()
-    )
-    for array in arrays:
-        told.update(repr(None if array is None else array.shape).encode())
-        if array is not None:
-            told.update(np.ascontiguousarray(array).data)
+    told = hashlib.sha256(repr(_stamp(source.path)).encode())
+    _tell(told, source)
     return told.hexdigest()
+
+
+def _tell(told: Any, value: Any) -> None:
+    """Hashes every field of a dataclass, every number of an array."""
+    if dataclasses.is_dataclass(value):
+        for field in dataclasses.fields(value):
+            told.update(f"{field.name}=".encode())
+            _tell(told, getattr(value, field.name))
+    elif isinstance(value, np.ndarray):
+        told.update(f"{value.dtype}{value.shape}".encode())
+        told.update(np.ascontiguousarray(value).data)
+    else:
+        told.update(f"{value!r};".encode())
 
 
 def _stamp(path: str | None) -> tuple[int, ...]:

@@ -102,7 +102,7 @@ class OBJECT_OT_lancret_take(_OnLancret, bpy.types.Operator):
 
 
 def _grown(operator: bpy.types.Operator, thing: bpy.types.Object) -> set[str]:
-    if not grow.in_viewport(thing):
+    if not grow.anew(thing, bpy.context.scene):
         operator.report({"WARNING"}, thing.lancret.error)
     return {"FINISHED"}
 

@@ -23,8 +23,9 @@ class OBJECT_PT_lancret(bpy.types.Panel):
     def draw(self, context: Any) -> None:
         told, layout = context.object.lancret, self.layout
         layout.use_property_split = True
-        if told.error:
-            self._error(layout.box(), told.error, context.region.width)
+        for text in (told.error, told.render_error):
+            if text:
+                self._error(layout.box(), text, context.region.width)
         row = layout.row()
         row.operator("object.lancret_update", icon="FILE_REFRESH")
         row.prop(told, "live", toggle=True)

@@ -6,6 +6,7 @@ layer has evaluated them.
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 import bpy
@@ -17,15 +18,15 @@ Floats = npt.NDArray[np.float32]
 Counts = npt.NDArray[np.uint32]
 
 
-def read(thing: bpy.types.Object) -> tuple[Floats, Counts]:
+def read(thing: bpy.types.Object, graph: Any) -> tuple[Floats, Counts]:
     """Points [n][3] and how many each strand has; what has fewer than two, or goes round,
-    is left out."""
+    is left out. `graph`: the depsgraph that hair particles are looked up in."""
     if thing.type == "CURVES":
         return _hair_curves(thing.data)
     if thing.type == "CURVE":
         found = [_spline(spline) for spline in thing.data.splines]
     else:
-        found = _particles(thing)
+        found = _particles(thing.evaluated_get(graph))
     kept = [np.asarray(one, dtype=np.float32) for one in found if len(one) >= 2]
     if not kept:
         return np.empty((0, 3), np.float32), np.empty(0, np.uint32)
@@ -69,31 +70,52 @@ def _bezier(spline: Any) -> Any:
 
 
 def _nurbs(points: Floats, spline: Any) -> Any:
-    """Places at equal steps of the parameter, by de Boor; w is the weight."""
-    order, count = spline.order_u, len(points)
-    if count < max(2, order):
+    """Places at equal steps of the parameter; w is the weight."""
+    count = len(points)
+    if count < max(2, spline.order_u):
         return []
-    knots = np.arange(count + order, dtype=np.float64)
-    if spline.use_endpoint_u:
-        knots = np.clip(knots, order - 1, count)
+    ends, bezier = bool(spline.use_endpoint_u), bool(spline.use_bezier_u)
+    steps = (count - spline.order_u + 1) * max(1, spline.resolution_u)
     weighted = points.astype(np.float64)
     weighted[:, :3] *= weighted[:, 3:]
-    steps = (count - order + 1) * max(1, spline.resolution_u)
-    places = []
+    places = _weights(count, spline.order_u, ends, bezier, steps) @ weighted
+    return places[:, :3] / places[:, 3:]
+
+
+def _knots(count: int, order: int, ends: bool, bezier: bool) -> Any:
+    """As Blender has them: each once, of Bezier curves order - 1 times."""
+    each = order - 1 if bezier else 1
+    first = order if ends else min(2, each)
+    knots = 1.0 + (np.arange(count + order) - first) // each
+    knots[:first] = 0
+    if ends:
+        knots[count:] = knots[count]
+    return knots
+
+
+@functools.cache
+def _weights(count: int, order: int, ends: bool, bezier: bool, steps: int) -> Any:
+    """[steps + 1][count] of the control points in each place, by de Boor."""
+    knots = _knots(count, order, ends, bezier)
+    if knots[order - 1] >= knots[count]:
+        return np.empty((0, count))  # too few points for the order
+    last = (
+        int(np.searchsorted(knots, knots[count])) - 1
+    )  # of the spans that have a length
+    rows = []
     for u in np.linspace(knots[order - 1], knots[count], steps + 1):
-        span = min(int(np.searchsorted(knots, u, side="right")) - 1, count - 1)
-        row = weighted[span - order + 1 : span + 1].copy()
+        span = min(int(np.searchsorted(knots, u, side="right")) - 1, last)
+        row = np.eye(count)[span - order + 1 : span + 1]
         for level in range(1, order):
             for j in range(order - 1, level - 1, -1):
                 low = knots[span - order + 1 + j]
                 share = (u - low) / (knots[span + 1 + j - level] - low)
                 row[j] = (1 - share) * row[j - 1] + share * row[j]
-        places.append(row[-1, :3] / row[-1, 3])
-    return places
+        rows.append(row[-1])
+    return np.array(rows)
 
 
-def _particles(thing: bpy.types.Object) -> list[Any]:
-    evaluated = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
+def _particles(evaluated: bpy.types.Object) -> list[Any]:
     found = []
     for modifier in evaluated.modifiers:
         if modifier.type != "PARTICLE_SYSTEM":

@@ -117,6 +117,7 @@ class LancretSettings(bpy.types.PropertyGroup):
     points: PointerProperty(type=bpy.types.Object)
     nodes: PointerProperty(type=bpy.types.NodeTree)
     error: StringProperty()
+    render_error: StringProperty()
     strands: IntProperty(name="Strands in the viewport")
     all_strands: IntProperty(name="Strands of the render")
     first_frame: IntProperty()

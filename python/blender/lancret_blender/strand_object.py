@@ -29,17 +29,19 @@ def make(context: Any, parent: bpy.types.Object | None) -> bpy.types.Object:
     told.material = material()
     # Data is written by handlers that a render calls from its own thread.
     context.scene.render.use_lock_interface = True
-    _own_points(thing)
+    prepare(thing)
     return thing
 
 
 def _own_points(thing: bpy.types.Object) -> None:
+    """With the strands that it was copied with, if any."""
     told = thing.lancret
-    mesh = bpy.data.meshes.new(f"{thing.name} points")
+    if told.points is not None:
+        mesh = told.points.data.copy()
+    else:
+        mesh = bpy.data.meshes.new(f"{thing.name} points")
     told.points = bpy.data.objects.new(mesh.name, mesh)
     told.nodes = _nodes(told.points)
-    modifier = thing.modifiers.get("Lancret") or thing.modifiers.new("Lancret", "NODES")
-    modifier.node_group = told.nodes
 
 
 def _nodes(points: bpy.types.Object) -> bpy.types.NodeTree:
@@ -56,7 +58,6 @@ def _nodes(points: bpy.types.Object) -> bpy.types.NodeTree:
     source.inputs["Object"].default_value = points
     curves = tree.nodes.new("GeometryNodeMeshToCurve")
     coat = tree.nodes.new("GeometryNodeSetMaterial")
-    coat.name = "Material"
     output = tree.nodes.new("NodeGroupOutput")
     for place, node in enumerate((source, curves, coat, output)):
         node.location = (200 * place, 0)
@@ -67,18 +68,33 @@ def _nodes(points: bpy.types.Object) -> bpy.types.NodeTree:
 
 
 def prepare(thing: bpy.types.Object) -> None:
-    """Points and nodes of its own, where it is a copy of another; and its material."""
+    """Points and nodes of its own, where it is a copy of another or they are gone; its
+    modifier and material."""
     told = thing.lancret
     shared = any(
         other != thing and other.lancret.points == told.points
         for other in bpy.data.objects
         if other.type == "CURVES" and other.lancret.enabled
     )
-    if told.points is None or told.nodes is None or shared:
+    if told.points is None or shared:
         _own_points(thing)
-    coat = told.nodes.nodes["Material"].inputs["Material"]
-    if coat.default_value != told.material:
-        coat.default_value = told.material
+    coat = _coat(told.nodes)
+    if coat is None:
+        told.nodes = _nodes(told.points)
+        coat = _coat(told.nodes)
+    if coat.inputs["Material"].default_value != told.material:
+        coat.inputs["Material"].default_value = told.material
+    modifier = thing.modifiers.get("Lancret") or thing.modifiers.new("Lancret", "NODES")
+    if modifier.node_group != told.nodes:
+        modifier.node_group = told.nodes
+
+
+def _coat(tree: bpy.types.NodeTree | None) -> Any:
+    """The node that sets the material; none where the tree has it no more."""
+    kind = "GeometryNodeSetMaterial"
+    return (
+        next((one for one in tree.nodes if one.bl_idname == kind), None) if tree else None
+    )
 
 
 def write(mesh: bpy.types.Mesh, strands: Strands) -> None:

@@ -75,10 +75,11 @@ def evaluated(thing):
     return points, radii, np.diff(offsets)
 
 
-def of_the_abi(path, density=0.0, times=None, unit=100.0, **how):
+def of_the_abi(path, density=0.0, times=None, unit=100.0, parameters=None, **how):
     """The same of Lancret, chunk by chunk, strand by strand, in Blender's axes, y up."""
     points, radii, counts = [], [], []
-    with lancret().open(path, **how) as groom:
+    alike = {"strands.adapt": False}
+    with lancret().open(path, parameters=alike | (parameters or {}), **how) as groom:
         for chunk in groom.chunks:
             curves = groom.expand(
                 chunk, times, strands.BASIS, density, attributes=(), unit=unit

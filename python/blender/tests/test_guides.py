@@ -1,9 +1,14 @@
+import itertools
+from pathlib import Path
+
 import bpy
 import numpy as np
-from support import InBlender, evaluated, same_bits
+from support import InBlender, assert_same, evaluated, same_bits
 
 from lancret_blender import scene_guides, sources, strands
 from lancret_blender.package import lancret
+
+EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
 
 
 def legacy_curve(name, kind, strands_of_points):
@@ -36,6 +41,10 @@ def plane():
     return bpy.context.object
 
 
+def graph():
+    return bpy.context.evaluated_depsgraph_get()
+
+
 def select(active, *others):
     for one in bpy.context.selected_objects:
         one.select_set(False)
@@ -48,7 +57,7 @@ def select(active, *others):
 class Guides(InBlender):
     def test_of_polylines_are_their_points(self):
         given = fur()
-        points, counts = scene_guides.read(legacy_curve("fur", "POLY", given))
+        points, counts = scene_guides.read(legacy_curve("fur", "POLY", given), graph())
         self.assertTrue(same_bits(points, np.concatenate(given)))
         self.assertEqual(counts.tolist(), [6] * 25)
 
@@ -56,7 +65,7 @@ class Guides(InBlender):
         thing = self.add()
         self.update(thing)
         evaluated_thing = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
-        points, counts = scene_guides.read(evaluated_thing)
+        points, counts = scene_guides.read(evaluated_thing, graph())
         expected, _, sizes = evaluated(thing)
         self.assertTrue(same_bits(points, expected))
         self.assertTrue(np.array_equal(counts, sizes))
@@ -65,41 +74,56 @@ class Guides(InBlender):
         thing = legacy_curve("arc", "BEZIER", [[(0, 0, 0), (1, 0, 1)]])
         first, second = thing.data.splines[0].bezier_points
         first.handle_right, second.handle_left = (0, 0, 1), (0, 0, 1)
-        points, counts = scene_guides.read(thing)
+        points, counts = scene_guides.read(thing, graph())
         self.assertEqual(counts.tolist(), [len(points)])
         t = np.linspace(0, 1, len(points))
         self.assertLess(np.abs(points[:, 0] - t**3).max(), 1e-6)
         self.assertLess(np.abs(points[:, 2] - (1 - (1 - t) ** 3)).max(), 1e-6)
 
     def test_of_nurbs_are_where_blender_draws_them(self):
-        given = [(0, 0, 0), (0, 0, 1), (1, 0, 2), (1, 1, 3), (2, 1, 3), (2, 3, 3)]
-        for ends in (False, True):
-            thing = legacy_curve("nurbs", "NURBS", [given])
+        given = [
+            (0, 0, 0),
+            (0, 0, 1),
+            (1, 0, 2),
+            (1, 1, 3),
+            (2, 1, 3),
+            (2, 3, 3),
+            (3, 3, 2),
+        ]
+        for ends, bezier, order, count in itertools.product(
+            (False, True), (False, True), (3, 4, 5), (5, 6, 7)
+        ):
+            thing = legacy_curve("nurbs", "NURBS", [given[:count]])
             spline = thing.data.splines[0]
-            spline.use_endpoint_u, spline.order_u = ends, 4
+            spline.use_endpoint_u, spline.use_bezier_u = ends, bezier
+            spline.order_u = order
             spline.points[2].co[3] = 2
-            points, _ = scene_guides.read(thing)
+            points, _ = scene_guides.read(thing, graph())
             mesh = thing.to_mesh()
             drawn = np.array([vertex.co for vertex in mesh.vertices])
+            if (ends, bezier, order, count) == (False, True, 5, 5):  # no knot in between
+                self.assertEqual(len(points), 0)
+                continue
             middle = (drawn[1:] + drawn[:-1]) / 2
             near = np.concatenate([drawn, middle])
             off = np.linalg.norm(points[:, None] - near, axis=-1).min(axis=1)
             step = np.linalg.norm(np.diff(drawn, axis=0), axis=1).max()
-            self.assertLess(off.max(), step / 3)
-            self.assertLess(np.abs(points[[0, -1]] - drawn[[0, -1]]).max(), 1e-5)
+            with self.subTest(ends=ends, bezier=bezier, order=order, count=count):
+                self.assertLess(off.max(), step / 3)
+                self.assertLess(np.abs(points[[0, -1]] - drawn[[0, -1]]).max(), 1e-5)
             thing.to_mesh_clear()
 
     def test_that_go_round_or_have_one_point_are_left_out(self):
         thing = legacy_curve("some", "POLY", [fur()[0], fur()[1], fur()[2][:1]])
         thing.data.splines[1].use_cyclic_u = True
-        self.assertEqual(scene_guides.read(thing)[1].tolist(), [6])
+        self.assertEqual(scene_guides.read(thing, graph())[1].tolist(), [6])
 
     def test_of_hair_particles_begin_on_the_mesh(self):
         mesh = plane()
         mesh.modifiers.new("hair", "PARTICLE_SYSTEM")
         system = mesh.particle_systems[0].settings
         system.type, system.count, system.hair_length = "HAIR", 20, 0.1
-        points, counts = scene_guides.read(mesh)
+        points, counts = scene_guides.read(mesh, graph())
         self.assertEqual(len(counts), 20)
         roots = points[np.cumsum(counts) - counts]
         tips = points[np.cumsum(counts) - 1]
@@ -142,6 +166,19 @@ class Guides(InBlender):
         self.assertLess(np.abs(source.strands.points - turned).max(), 1e-6)
         self.assertEqual((source.strands.up, source.strands.metres_per_unit), ("Z", 1))
 
+    def test_whose_nodes_and_modifier_are_gone_are_drawn_after_an_update(self):
+        thing = self.add()
+        before = evaluated(thing)
+        thing.modifiers.clear()
+        self.update(thing)
+        assert_same(self, evaluated(thing), before)
+        thing.lancret.nodes.nodes["Set Material"].name = "x"
+        self.update(thing)
+        self.assertEqual(thing.lancret.error, "")
+        thing.lancret.nodes.nodes.clear()
+        self.update(thing)
+        assert_same(self, evaluated(thing), before)
+
 
 class Scalp(InBlender):
     def test_of_a_file_is_not_what_happens_to_be_selected(self):
@@ -152,10 +189,14 @@ class Scalp(InBlender):
         self.assertEqual(thing.lancret.error, "")
 
     def test_of_a_file_is_given_in_the_files_axes_and_units(self):
+        for mirror in (1, -1):
+            self.look_at_the_scalp(mirror)
+
+    def look_at_the_scalp(self, mirror):
         thing, scalp = self.add(), plane()
-        scalp.location = (0, 0, 0.2)
-        bpy.context.view_layer.update()
+        scalp.location, scalp.scale = (0, 0, 0.2), (mirror, 1, 1)
         thing.lancret.scalp = scalp
+        sources.update_objects([thing], self.scene)
         mesh = sources.source_of(thing, self.scene).scalp
         self.assertEqual(len(mesh.corners), 2)
         self.assertLess(np.abs(mesh.positions[:, 1] - 20).max(), 1e-4)
@@ -164,9 +205,20 @@ class Scalp(InBlender):
         corners = mesh.positions[mesh.corners[0]]
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         self.assertGreater(normal[1], 0)
+        # Its texture coordinates are places on it, from corner to corner of its square.
+        expected = mesh.positions[mesh.corners][..., [0, 2]] / 24 * [mirror, -1] + 0.5
+        self.assertLess(np.abs(mesh.uvs - expected).max(), 1e-6)
 
 
 class Ends(InBlender):
+    def test_are_within_the_tolerance(self):
+        """Of the made groom, whose curls are wound as tightly as hair is."""
+        thing = self.add(EXAMPLES / "made_groom.toml")
+        thing.lancret.viewport, thing.lancret.count = 1, 2000
+        self.update(thing)
+        self.assertIn("tolerance = 0.06 ", (EXAMPLES / "made_groom.toml").read_text())
+        self.assertTrue(0 < thing.lancret.end_error < 0.06, thing.lancret.end_error)
+
     def test_are_the_curves_own_but_for_the_error_that_is_told(self):
         with lancret().open(self.groom) as groom:
             curves = groom.expand(basis=strands.BASIS, unit=1)

@@ -1,8 +1,13 @@
+import re
+from pathlib import Path
+
 import bpy
 import numpy as np
+import test_guides
 from support import GROOM, InBlender, assert_same, evaluated, of_the_abi, simulate
 
 from lancret_blender import grow, handlers
+from lancret_blender.package import lancret
 
 MOTION = """
 [motion]
@@ -37,13 +42,19 @@ class Render(InBlender):
         points = np.empty((len(mesh.vertices), 3), np.float32)
         mesh.vertices.foreach_get("co", points.ravel())
         radii = np.empty(len(points), np.float32)
-        mesh.attributes["radius"].data.foreach_get("value", radii)
-        return points, radii, len(mesh.vertices) - len(mesh.edges)
+        if len(points):
+            mesh.attributes["radius"].data.foreach_get("value", radii)
+        edges = np.empty((len(mesh.edges), 2), np.int32)
+        mesh.edges.foreach_get("vertices", edges.ravel())
+        return points, radii, edges
 
     def assert_whole(self, found, expected):
-        points, radii, count = found
-        counts = expected[2] if count == len(expected[2]) else [count]
-        assert_same(self, (points, radii, counts), expected)
+        points, radii, edges = found
+        assert_same(self, (points, radii, expected[2]), expected)
+        starts = np.cumsum(expected[2]) - expected[2]
+        each = [np.arange(n - 1) + start for n, start in zip(expected[2], starts)]
+        first = np.concatenate(each)
+        self.assertTrue(np.array_equal(edges, np.stack([first, first + 1], -1)))
 
     def test_has_all_strands_and_the_viewport_its_own_again(self):
         thing = self.add()
@@ -87,14 +98,168 @@ class Render(InBlender):
         bpy.ops.render.render(write_still=True)
         return float(alpha_of(self.scene.render.filepath).mean())
 
-    def test_goes_on_with_the_viewports_where_the_groom_is_at_fault(self):
+    def test_has_no_hair_where_the_groom_is_at_fault(self):
         thing = self.add()
         before = evaluated(thing)
         self.groom.write_text("[strands]\ncount = 'many'\n")
         self.small_render()
+        seen = self.seen()
         bpy.ops.render.render()
-        self.assertIn("groom.toml:2", thing.lancret.error)
+        self.assertEqual(len(seen[0][1]), 0)
+        self.assertRegex(thing.lancret.render_error, "^frame 1: .*groom.toml:2")
         assert_same(self, evaluated(thing), before)
+
+    def animate(self, first, last):
+        self.small_render()
+        self.scene.frame_start, self.scene.frame_end = first, last
+        self.scene.render.filepath = str(self.folder / "frame")
+        seen = self.seen()
+        bpy.ops.render.render(animation=True)
+        return seen
+
+    def test_keeps_what_was_at_fault_in_a_frame_until_an_update(self):
+        thing = self.add()
+        text = self.groom.read_text()
+
+        def spoil(scene, *_):
+            bad = text.replace("400", "-4") if scene.frame_current == 2 else text
+            self.groom.write_text(bad)
+
+        bpy.app.handlers.render_pre.insert(0, spoil)
+        try:
+            seen = self.animate(1, 3)
+        finally:
+            bpy.app.handlers.render_pre.remove(spoil)
+        self.assertEqual([len(points) > 0 for _, points, *_ in seen], [True, False, True])
+        self.assertRegex(thing.lancret.render_error, "^frame 2: .*count")
+        self.update(thing)
+        self.assertEqual(thing.lancret.render_error, "")
+
+    def test_leaves_the_viewport_of_a_copy_and_of_its_original(self):
+        first = self.add()
+        before = evaluated(first)
+        bpy.ops.object.duplicate()
+        second = bpy.context.object
+        self.small_render()
+        seen = self.seen()
+        bpy.ops.render.render()
+        self.assertEqual(len(seen), 2)
+        for one in (first, second):
+            assert_same(self, evaluated(one), before)
+        for _, *found in seen:
+            self.assert_whole(found, of_the_abi(self.groom))
+        self.assertNotEqual(first.lancret.points, second.lancret.points)
+
+    def test_leaves_the_viewport_of_a_copied_scene(self):
+        first = self.add()
+        before = evaluated(first)
+        bpy.ops.scene.new(type="FULL_COPY")
+        self.scene = bpy.context.scene
+        self.small_render()
+        bpy.ops.render.render(scene=self.scene.name)
+        copy = next(one for one in self.scene.objects if one.type == "CURVES")
+        self.assertEqual(evaluated(copy)[2].tolist(), before[2].tolist())
+        self.assertEqual(
+            len(first.lancret.points.data.vertices),
+            len(copy.lancret.points.data.vertices),
+        )
+
+    def test_fills_the_viewport_where_its_points_were_deleted(self):
+        thing = self.add()
+        before = evaluated(thing)
+        bpy.data.objects.remove(thing.lancret.points)
+        self.small_render()
+        bpy.ops.render.render()
+        assert_same(self, evaluated(thing), before)
+
+    def test_has_all_strands_of_instanced_collections(self):
+        thing = self.add()
+        collection = bpy.data.collections.new("hair")
+        collection.objects.link(thing)
+        self.scene.collection.objects.unlink(thing)
+        place = bpy.data.objects.new("place", None)
+        place.instance_type, place.instance_collection = "COLLECTION", collection
+        self.scene.collection.objects.link(place)
+        self.small_render()
+        found = []
+
+        def look(*_):
+            found.append(self.drawn(thing))
+
+        bpy.app.handlers.render_post.append(look)
+        try:
+            bpy.ops.render.render()
+            place.hide_render = True
+            bpy.ops.render.render()
+        finally:
+            bpy.app.handlers.render_post.remove(look)
+        self.assert_whole(found[0], of_the_abi(self.groom))
+        self.assertEqual(
+            len(found[1][0]), len(evaluated(thing)[0])
+        )  # not seen, not grown
+
+    def test_grows_nothing_of_a_hidden_collection(self):
+        thing = self.add()
+        collection = bpy.data.collections.new("hidden")
+        self.scene.collection.children.link(collection)
+        collection.objects.link(thing)
+        self.scene.collection.objects.unlink(thing)
+        collection.hide_render = True
+        self.small_render()
+        seen = self.seen()
+        bpy.ops.render.render()
+        self.assertEqual(len(seen[0][1]), len(evaluated(thing)[0]))
+
+    def add_between_curves(self):
+        curves = test_guides.legacy_curve("fur", "POLY", test_guides.fur())
+        test_guides.select(curves)
+        bpy.ops.object.lancret_add()
+        thing = bpy.context.object
+        thing.parent = None
+        return thing, curves
+
+    def test_is_of_the_scenes_unit_at_once(self):
+        thing, _ = self.add_between_curves()
+        self.small_render()
+        self.scene.unit_settings.scale_length = 0.01
+        seen = self.seen()
+        bpy.ops.render.render()
+        # The guides' points reach from z = 0 to 0.1 of any unit; helices fit them to 1 %.
+        hair = [points for _, points, *_ in seen if len(points)]
+        self.assertEqual(thing.lancret.render_error, "")
+        self.assertAlmostEqual(float(np.ptp(hair[0][:, 2])), 0.1, delta=0.001)
+
+    def test_has_guides_where_they_are_in_each_frame(self):
+        thing, curves = self.add_between_curves()
+        for frame, z in ((1, 0), (3, 0.5)):
+            curves.location.z = z
+            curves.keyframe_insert("location", frame=frame)
+        places = []
+        for frame in (1, 2, 3, 4):
+            self.scene.frame_set(frame)
+            places.append(curves.location.z)
+        self.assertEqual(len(set(places)), 3, places)
+        self.scene.frame_set(1)
+        seen = [one for one in self.animate(1, 4) if len(one[1])]
+        lowest = [float(points[:, 2].min()) for _, points, *_ in seen]
+        self.assertEqual([frame for frame, *_ in seen], [1, 2, 3, 4])
+        for found, expected in zip(lowest, places):
+            # Roots are the guides' own, in float.
+            self.assertAlmostEqual(found, expected, delta=2**-23)
+
+
+class Docs(InBlender):
+    def test_the_script_of_the_page_runs(self):
+        page = Path(__file__).resolve().parents[3] / "docs" / "blender.md"
+        code = re.search(r"^```python\n(.*?)^```", page.read_text(), re.M | re.S)[1]
+        enable = 'bpy.ops.preferences.addon_enable(module="lancret_blender")\n'
+        self.assertIn(enable, code)  # it is enabled already
+        code = code.replace(enable, "").replace("/path/of/groom.toml", str(self.groom))
+        self.small_render()
+        bpy.context.scene.render.engine = "BLENDER_WORKBENCH"
+        exec(compile(code, str(page), "exec"), {})  # noqa: S102
+        self.assertEqual(bpy.context.object.lancret.all_strands, 20000)
+        self.assertTrue(Path(self.scene.render.filepath).is_file())
 
 
 class Cache(InBlender):
@@ -137,6 +302,50 @@ class Cache(InBlender):
         self.assertEqual(len(evaluated(thing)[2]), thing.lancret.strands)
 
     drawn = Render.drawn
+
+    def test_of_an_instanced_collection_follows_the_frame(self):
+        thing = self.add(self.cache)
+        thing.lancret.viewport = 1
+        self.update(thing)
+        collection = bpy.data.collections.new("hair")
+        collection.objects.link(thing)
+        self.scene.collection.objects.unlink(thing)
+        place = bpy.data.objects.new("place", None)
+        place.instance_type, place.instance_collection = "COLLECTION", collection
+        self.scene.collection.objects.link(place)
+        self.scene.frame_set(3)
+        found = self.drawn(thing)
+        expected = of_the_abi(self.cache, density=1, times=3)
+        assert_same(self, (*found[:2], expected[2]), expected)
+
+    def test_is_of_the_scene_that_changes_its_frame(self):
+        thing = self.add(self.cache)
+        thing.lancret.viewport = 1
+        self.update(thing)
+        other = bpy.data.scenes.new("other")
+        other.collection.objects.link(thing)
+        self.scene.frame_set(1)
+        other.frame_set(4)
+        found = self.drawn(thing)
+        expected = of_the_abi(self.cache, density=1, times=4)
+        assert_same(self, (*found[:2], expected[2]), expected)
+
+    def test_is_blurred_about_the_shutters_middle(self):
+        self.add(self.cache)
+        self.scene.render.use_motion_blur = True
+        self.scene.render.motion_blur_shutter = 0.5
+        self.scene.frame_set(2)
+        cycles = hasattr(self.scene.cycles, "motion_blur_position")
+        settings = self.scene.cycles if cycles else self.scene.render
+        with lancret().open(self.cache) as groom:
+            for position, times in (
+                ("CENTER", (1.75, 2, 2.25)),
+                ("START", (2, 2.25, 2.5)),
+                ("END", (1.5, 1.75, 2)),
+            ):
+                settings.motion_blur_position = position
+                found = grow.times_of(groom.info, self.scene, True)
+                self.assertEqual(found, times)
 
     def test_is_drawn_at_each_frame_of_an_animation(self):
         thing = self.add(self.cache)

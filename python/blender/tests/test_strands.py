@@ -1,8 +1,11 @@
+import unittest.mock
+
 import bpy
 import numpy as np
 from support import GROOM, InBlender, assert_same, evaluated, of_the_abi
 
-from lancret_blender import strands
+from lancret_blender import grow, opened, strands
+from lancret_blender.package import lancret
 
 
 class StrandsInBlender(InBlender):
@@ -58,6 +61,21 @@ class StrandsInBlender(InBlender):
         whole = {p.tobytes() for p in np.split(every, np.cumsum(every_count)[:-1])}
         for strand in np.split(points, np.cumsum(counts)[:-1]):
             self.assertIn(np.ascontiguousarray(strand).tobytes(), whole)
+
+    def test_keep_one_groom_an_object_open(self):
+        first = self.add()
+        for seed in range(3):
+            first.lancret.seed = seed
+            grow.in_viewport(first, self.scene)
+            self.assertEqual(set(opened._grooms), {first.name})
+        groom = opened._grooms[first.name][1]
+        first.lancret.viewport = 1
+        grow.in_viewport(first, self.scene)
+        self.assertIs(opened._grooms[first.name][1], groom)
+        bpy.data.objects.remove(first)
+        second = self.add()
+        self.assertEqual(set(opened._grooms), {second.name})  # forgot what is not there
+        self.assertTrue(groom.closed)
 
     def test_have_the_material_of_the_panel(self):
         thing = self.add()
@@ -131,6 +149,16 @@ class Faults(InBlender):
         thing.lancret.source = "SCENE"
         self.update(thing)
         self.assertIn("select curves", thing.lancret.error)
+
+    def test_of_a_missing_library_are_not_of_the_package(self):
+        thing = self.add()
+
+        def gone():
+            raise lancret().LibraryNotFound("no library; tried: /nowhere")
+
+        with unittest.mock.patch.object(lancret(), "open", lambda *_, **__: gone()):
+            self.update(thing)
+        self.assertEqual(thing.lancret.error, "no library; tried: /nowhere")
 
     def test_stop_the_add_operator_without_guides_and_file(self):
         with self.assertRaisesRegex(RuntimeError, "Select curves"):

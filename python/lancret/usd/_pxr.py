@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -42,9 +43,20 @@ def name_of(prim: Any) -> str:
     return f"{prim.GetStage().GetRootLayer().identifier}:{prim.GetPath()}"
 
 
-def prims_of(stage: Any, prim: str | None, kind: Any) -> list[Any]:
-    """Prims of a kind at and below `prim`, or of all the stage; instances too. Raises
-    InputError where there are none."""
+#: Of what is read unless said otherwise.
+PURPOSES = ("default", "render")
+
+
+def prims_of(
+    stage: Any,
+    prim: str | None,
+    kind: Any,
+    time: float | None,
+    purposes: Collection[str],
+) -> list[Any]:
+    """Prims of a kind at and below `prim`, or of all the stage, that are visible and of
+    one of the purposes; instances too. `prim` itself is taken whatever it is. Raises
+    InputError where there are none, and of prims that a PointInstancer would place."""
     top = stage.GetPrimAtPath(prim) if prim else stage.GetPseudoRoot()
     name = stage.GetRootLayer().identifier
     if not top:
@@ -56,12 +68,42 @@ def prims_of(stage: Any, prim: str | None, kind: Any) -> list[Any]:
     ]
     if not found:
         raise InputError(f"{name_of(top)}: has no {kind.__name__} at or below it")
-    return found
+    seen = [each for each in found if each == top or _is_seen(each, time, purposes)]
+    if not seen:
+        raise InputError(
+            f"{name_of(top)}: has {len(found)} {kind.__name__}, but none that is visible "
+            f"and of purpose {' or '.join(purposes)}"
+        )
+    for each in seen:
+        if each != top:
+            _refuse_instancer(each, top)
+    return seen
 
 
-def moment(time: float | None) -> Any:
-    """The time to read at; none: the default, or the first sample where there is none."""
-    return Usd.TimeCode.EarliestTime() if time is None else Usd.TimeCode(time)
+def _is_seen(prim: Any, time: float | None, purposes: Collection[str]) -> bool:
+    image = UsdGeom.Imageable(prim)
+    hidden = image.ComputeVisibility(moment(prim, time)) == UsdGeom.Tokens.invisible
+    return not hidden and str(image.ComputePurpose()) in purposes
+
+
+def _refuse_instancer(prim: Any, top: Any) -> None:
+    above = prim.GetParent()
+    while above and above != top:
+        if above.IsA(UsdGeom.PointInstancer):
+            raise InputError(
+                f"{name_of(prim)}: is placed by the PointInstancer {above.GetPath()}, "
+                "whose places are not read; name the prim to have it where it stands"
+            )
+        above = above.GetParent()
+
+
+def moment(prim: Any, time: float | None) -> Any:
+    """The time to read a prim at, with its transform and all else; none: that of its
+    points' first sample; where they have none, defaults and first samples."""
+    if time is not None:
+        return Usd.TimeCode(time)
+    samples = UsdGeom.PointBased(prim).GetPointsAttr().GetTimeSamples()
+    return Usd.TimeCode(samples[0]) if samples else Usd.TimeCode.EarliestTime()
 
 
 def matrix_of(prim: Any, time: Any) -> np.ndarray:

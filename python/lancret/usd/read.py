@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import logging
+from collections.abc import Collection
 from typing import Any, Literal
 
 import numpy as np
@@ -12,6 +14,7 @@ from .. import cubic
 from ..errors import InputError
 from ..geometry import Strands
 from ._pxr import (
+    PURPOSES,
     UsdGeom,
     array_of,
     matrix_of,
@@ -35,11 +38,14 @@ def read(
     *,
     transform: bool = True,
     wrap: Literal["nonperiodic", "pinned"] | None = None,
+    purposes: Collection[str] = PURPOSES,
 ) -> Strands:
-    """The strands of every BasisCurves at or below `prim` (none: of the stage), in world
-    space and the stage's units.
+    """The strands of every BasisCurves at or below `prim` (none: of the stage) that is
+    visible and of one of the `purposes`, in world space and the stage's units. `prim`
+    itself is read whatever it is.
 
-    source: a file, or a Usd.Stage. time: none: the default value, or the first sample.
+    source: a file, or a Usd.Stage. time: none: of each prim the time of its points' first
+        sample, for all of it; where points have no samples, their default.
     transform: False takes points as they stand, for files whose points are in world space
         below a transform all the same, such as Blender 2.93's hair.
     wrap: in place of the file's: "pinned" for files that do not say so but whose curves
@@ -47,21 +53,26 @@ def read(
 
     `linear` and `bspline` curves keep their control points, with the points that
     `pinned` only implies. `bezier` and `catmullRom` curves, which are no B-splines,
-    become places on the curve, 8 a piece, for a curve through them. Widths come along at
-    each point, `primvars:st` of the roots as root_uv, `primvars:id` as ids.
+    become places on the curve, 8 a piece, for a curve through them. Widths
+    (`primvars:widths`, else `widths`) come along at each point, `primvars:st` of the roots
+    as root_uv, `primvars:id` as ids; what only some of several prims have is left out,
+    with a warning to the logger "lancret".
 
     Raises InputError: for `periodic` curves, which have no root; for counts that do not
-    fit; for linear and cubic curves together.
+    fit; for linear and cubic curves together; for prims that a PointInstancer places.
     """
     stage = stage_of(source)
-    parts = [
-        _read_prim(each, moment(time), transform, wrap)
-        for each in prims_of(stage, prim, UsdGeom.BasisCurves)
-    ]
-    joined = _joined([part for part in parts if len(part)] or parts[:1])
-    joined.metres_per_unit = UsdGeom.GetStageMetersPerUnit(stage)
-    joined.up = "Z" if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z else "Y"
-    return joined
+    prims = prims_of(stage, prim, UsdGeom.BasisCurves, time, purposes)
+    parts = {
+        name_of(each): _read_prim(each, moment(each, time), transform, wrap)
+        for each in prims
+    }
+    full = {name: part for name, part in parts.items() if len(part)}
+    return dataclasses.replace(
+        _joined(full or dict(list(parts.items())[:1])),
+        metres_per_unit=UsdGeom.GetStageMetersPerUnit(stage),
+        up="Z" if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z else "Y",
+    )
 
 
 @dataclasses.dataclass
@@ -98,6 +109,7 @@ class _Form:
             "constant": 1,
             "uniform": len(self.counts),
             "varying": int((self.pieces + 1).sum()),
+            "faceVarying": int((self.pieces + 1).sum()),  # of curves the same
             "vertex": int(self.counts.sum()),
         }.get(interpolation, -1)
 
@@ -163,14 +175,25 @@ def _read_prim(prim: Any, time: Any, transform: bool, wrap: str | None) -> Stran
 
 def _widths(curves: Any, form: _Form, time: Any) -> np.ndarray | None:
     """Widths at each control point; none where the prim has none."""
-    widths = array_of(curves.GetWidthsAttr(), time, (-1,), np.float64)
+    found = _primvar(curves.GetPrim(), ("widths",), time)
+    if found is not None:
+        widths, kind = np.array(found[0], dtype=np.float64), found[1]
+    else:
+        widths = array_of(curves.GetWidthsAttr(), time, (-1,), np.float64)
+        kind = str(curves.GetWidthsInterpolation())
     if not widths.size:
         return None
-    return _at_points(widths, str(curves.GetWidthsInterpolation()), form, "widths")
+    if not np.isfinite(widths).all():
+        raise InputError(
+            f"{form.name}: primvars:widths has a number that is not finite"
+        )
+    return _at_points(widths, kind, form, "widths")
 
 
 def _at_points(values: np.ndarray, kind: str, form: _Form, what: str) -> np.ndarray:
     """Values of any interpolation as one a control point."""
+    if kind == "faceVarying":
+        kind = "varying"
     stretched = kind == "varying" and len(values) == form.stretched
     if len(values) != form.elements(kind) and not stretched:
         raise InputError(
@@ -190,18 +213,21 @@ def _varying_at_points(values: np.ndarray, form: _Form, stretched: bool) -> np.n
     """Linear between the ends of pieces. A control point lies at the parameter that its
     own weight is greatest at; the outer ones of a cubic that is not pinned lie beyond.
     `stretched` values lie evenly along the curve."""
-    out, counts = [], form.counts
-    made = counts - 2 if stretched else form.pieces + 1
-    for count, some, end in zip(counts, made, np.cumsum(made)):
-        mine = values[end - some : end]
+    made = form.counts - 2 if stretched else form.pieces + 1
+    out = np.empty(int(form.counts.sum()))
+    starts, out_starts = (np.cumsum(n) - n for n in (made, form.counts))
+    for count, curves in cubic.groups(form.counts):
+        some = int(made[curves[0]])
+        mine = values[starts[curves][:, None] + np.arange(some)]
         at = np.arange(count, dtype=np.float64) / cubic.STEPS[form.basis]
         if stretched:
             at *= (some - 1) / (count - 1)
         elif form.basis in _PINNED and not form.pinned:
             at -= 1
         low = np.clip(np.floor(at).astype(int), 0, some - 2)
-        out.append(mine[low] + (at - low) * (mine[low + 1] - mine[low]))
-    return np.concatenate(out)
+        between = mine[:, low] + (at - low) * (mine[:, low + 1] - mine[:, low])
+        out[out_starts[curves][:, None] + np.arange(count)] = between
+    return out
 
 
 def _primvar(prim: Any, names: tuple[str, ...], time: Any) -> tuple[Any, str] | None:
@@ -243,7 +269,8 @@ def _ids(prim: Any, form: _Form, time: Any) -> Any:
     return _of_roots(found, form, np.int64)
 
 
-def _joined(parts: list[Strands]) -> Strands:
+def _joined(named: dict[str, Strands]) -> Strands:
+    parts = list(named.values())
     if len(parts) == 1:
         return parts[0]
     bases = {part.basis for part in parts}
@@ -254,9 +281,16 @@ def _joined(parts: list[Strands]) -> Strands:
 
     def together(name: str) -> Any:
         arrays = [getattr(part, name) for part in parts]
-        return (
-            None if any(array is None for array in arrays) else np.concatenate(arrays)
-        )
+        without = [path for path, array in zip(named, arrays) if array is None]
+        if not without:
+            return np.concatenate(arrays)
+        if len(without) < len(arrays):
+            logging.getLogger("lancret").warning(
+                "%s: has no %s, and so those of the other prims are left out",
+                without[0],
+                name,
+            )
+        return None
 
     return Strands(
         points=together("points"),

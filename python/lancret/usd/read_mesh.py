@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from ..errors import InputError
 from ..geometry import Mesh
 from ._pxr import (
+    PURPOSES,
     UsdGeom,
     array_of,
     matrix_of,
@@ -25,22 +27,26 @@ def read_mesh(
     prim: str | None = None,
     time: float | None = None,
     uv: str | None = None,
+    *,
+    purposes: Collection[str] = PURPOSES,
 ) -> Mesh:
     """A mesh in world space and the stage's units, its faces cut into triangles from
-    their first corner. A surface to be subdivided is taken as the cage that it is.
+    their first corner, without its holes. A surface to be subdivided is taken as the cage
+    that it is.
 
-    prim: of the mesh, or above it; none: the only one of the stage. uv: the primvar with
-    texture coordinates; none: `st`, else the first that has two numbers.
+    prim: of the mesh, or above it; none: the only one of the stage that is visible and of
+    one of the `purposes`. time: as of `read`. uv: the primvar with texture coordinates;
+    none: `st`, else the first that has two numbers.
     """
     stage = stage_of(source)
-    found = prims_of(stage, prim, UsdGeom.Mesh)
+    found = prims_of(stage, prim, UsdGeom.Mesh, time, purposes)
     if len(found) > 1:
         paths = ", ".join(str(each.GetPath()) for each in found[:8])
         raise InputError(
             f"{stage.GetRootLayer().identifier}: has {len(found)} meshes: say which by "
             f"`prim`: {paths}"
         )
-    return _read_prim(found[0], moment(time), uv)
+    return _read_prim(found[0], moment(found[0], time), uv)
 
 
 def _read_prim(prim: Any, time: Any, uv: str | None) -> Mesh:
@@ -59,7 +65,9 @@ def _read_prim(prim: Any, time: Any, uv: str | None) -> Mesh:
             f"{name}: faceVertexIndices must be from 0 to {len(points) - 1}"
         )
     matrix = matrix_of(prim, time)
-    corners = _fans(counts)
+    holes = array_of(mesh.GetHoleIndicesAttr(), time, (-1,), np.int64)
+    kept = ~np.isin(np.arange(len(counts)), holes)
+    corners = _fans(counts)[np.repeat(kept, counts - 2)]
     left = str(mesh.GetOrientationAttr().Get()) == "leftHanded"
     if left != (
         np.linalg.det(matrix[:3, :3]) < 0

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Sequence
+import uuid
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from .._options import Times, moments_of
 from ..curves import Attribute, Basis, Curves
 from ..errors import InputError
 from ..groom import Groom
@@ -21,7 +23,8 @@ _TYPES = {
     "bezier": ("cubic", "bezier"),
 }
 _EXTENSIONS = (".usd", ".usda", ".usdc")
-#: Of one call of expand.
+_ATTRIBUTES = {"ids", "root_uv", "lengths", "random", "normals"}
+#: That are in memory at once.
 _MOST_TIMES = 64
 
 
@@ -29,7 +32,7 @@ def write(
     path: str | os.PathLike[str],
     groom: Groom,
     *,
-    times: Sequence[float] | None = None,
+    times: Times = None,
     basis: Basis = "bspline",
     density: float = 0,
     max_error: float = 0,
@@ -45,7 +48,8 @@ def write(
     and with the groom's up axis: all in one prim, or a prim a chunk, so that no more than
     a chunk is in memory besides the stage. `times` become time samples; none: the first
     frame, or rest. Attributes become primvars: ids `id`, root_uv `st`, lengths
-    `hairLength`, random `hairRandom`; normals the curves' own normals.
+    `hairLength`, random `hairRandom`; normals the curves' own normals; others cannot be
+    written. Stages of this process that have the file open see the new one.
     """
     target = Path(path)
     if target.suffix not in _EXTENSIONS:
@@ -55,6 +59,15 @@ def write(
     valid = prim.startswith("/") and Sdf.Path.IsValidPathString(prim)[0]
     if not valid or not Sdf.Path(prim).IsRootPrimPath():
         raise InputError(f"prim {prim!r}: must be at the root, such as /Hair")
+    unknown = set(attributes) - _ATTRIBUTES
+    if unknown:
+        raise InputError(
+            f"attributes {', '.join(sorted(unknown))}: cannot be written; "
+            f"{', '.join(sorted(_ATTRIBUTES))} can"
+        )
+    moments = moments_of(times)
+    if times is not None and not moments:
+        raise InputError("times: there are none; leave them out for the first frame")
     metres = metres_per_unit or groom.info.cm_per_unit / 100
     asked: dict[str, Any] = {
         "basis": basis,
@@ -63,28 +76,29 @@ def write(
         "attributes": attributes,
         "unit": 100 * metres,
     }
-    unfinished = target.with_name(f".{target.stem}.{os.getpid()}{target.suffix}")
+    # A name that USD has never seen: it may hold on to the layer of one that failed.
+    unfinished = target.with_name(f".{target.stem}.{uuid.uuid4().hex}{target.suffix}")
     try:
         stage = _new_stage(unfinished)
-        _describe(stage, groom, metres, times, frames_per_second)
+        _describe(stage, groom, metres, moments, frames_per_second)
         stage.SetDefaultPrim(UsdGeom.Xform.Define(stage, prim).GetPrim())
         Usd.ModelAPI(stage.GetDefaultPrim()).SetKind(Kind.Tokens.component)
         chunks = [(f"chunk_{i:05}", [i]) for i in groom.chunks]
         for name, numbers in chunks if a_prim_a_chunk else [("strands", groom.chunks)]:
             place = f"{prim}/{name}"
-            if times is None:
-                curves = groom.expand(numbers, **asked)
+            for i in range(0, max(1, len(moments)), _MOST_TIMES):
+                batch = moments[i : i + _MOST_TIMES] or None
+                curves = groom.expand(numbers, batch, **asked)
                 if len(curves) or not a_prim_a_chunk:
                     add_curves(stage, place, curves)
-                continue
-            for i in range(0, len(times), _MOST_TIMES):
-                batch = times[i : i + _MOST_TIMES]
-                add_curves(stage, place, groom.expand(numbers, batch, **asked))
         stage.GetRootLayer().Save()
-        del stage
+        stage = None
         os.replace(unfinished, target)
     finally:
         unfinished.unlink(missing_ok=True)
+    opened = Sdf.Layer.Find(str(target.resolve()))
+    if opened:
+        opened.Reload(force=True)
 
 
 def _new_stage(path: Path) -> Any:
@@ -100,7 +114,7 @@ def _describe(
     stage: Any,
     groom: Groom,
     metres: float,
-    times: Sequence[float] | None,
+    times: tuple[float, ...],
     frames_per_second: float,
 ) -> None:
     ups = {(0.0, 1.0, 0.0): UsdGeom.Tokens.y, (0.0, 0.0, 1.0): UsdGeom.Tokens.z}
@@ -109,17 +123,18 @@ def _describe(
         raise InputError(f"scene.up: USD knows Y and Z alone; this groom has {up}")
     UsdGeom.SetStageUpAxis(stage, ups[up])
     UsdGeom.SetStageMetersPerUnit(stage, metres)
-    if times is not None and len(times):
+    if times:
         stage.SetTimeCodesPerSecond(frames_per_second)
         stage.SetFramesPerSecond(frames_per_second)
-        stage.SetStartTimeCode(float(min(times)))
-        stage.SetEndTimeCode(float(max(times)))
+        stage.SetStartTimeCode(min(times))
+        stage.SetEndTimeCode(max(times))
 
 
 def add_curves(stage: Any, path: str, curves: Curves) -> Any:
     """Puts curves at a path of a stage, in units of the stage: as they are, without a
     transform. At times that curves were asked for they are time samples, and those that
-    are there stay. Returns the UsdGeom.BasisCurves."""
+    are there stay; they must be of the same strands. Returns the UsdGeom.BasisCurves.
+    """
     if curves.basis not in _TYPES:
         raise InputError(f"{path}: USD's BasisCurves are {', '.join(_TYPES)}")
     made = UsdGeom.BasisCurves.Define(stage, path)
@@ -141,18 +156,22 @@ def _default() -> Any:
 
 
 def _set_counts(made: Any, curves: Curves) -> None:
-    """Once where all times have the same; as samples where they change."""
+    """Once for all times, as Lancret's strands have as many points at one as at others."""
     attribute = made.CreateCurveVertexCountsAttr()
     counts = Vt.IntArray.FromNumpy(curves.counts.astype(np.int32))
-    if not attribute.HasAuthoredValue():
-        attribute.Set(counts)
-        return
-    before = attribute.Get(
-        Usd.TimeCode(curves.times[0]) if curves.times else _default()
-    )
-    if before != counts:
-        for time in curves.times:
-            attribute.Set(counts, Usd.TimeCode(time))
+    ids = _as_ints(curves.ids)
+    primvar = UsdGeom.PrimvarsAPI(made).GetPrimvar("id")
+    before = primvar.Get() if primvar else None
+    if attribute.HasAuthoredValue() and (attribute.Get() != counts or before != ids):
+        raise InputError(
+            f"{made.GetPath()}: has curves with other ids or numbers of points; add all "
+            "times of the same strands, or to another path"
+        )
+    attribute.Set(counts)
+
+
+def _as_ints(ids: Any) -> Any:
+    return None if ids is None else Vt.IntArray.FromNumpy(ids.astype(np.int32))
 
 
 def _set_sample(made: Any, curves: Curves, index: int, time: Any) -> None:
@@ -177,8 +196,7 @@ def _set_primvars(made: Any, curves: Curves) -> None:
         primvars.CreatePrimvar(name, kind, UsdGeom.Tokens.uniform).Set(values)
 
     if curves.ids is not None:
-        ids = Vt.IntArray.FromNumpy(curves.ids.astype(np.int32))
-        add("id", types.IntArray, ids)
+        add("id", types.IntArray, _as_ints(curves.ids))
     if curves.root_uv is not None:
         uvs = Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(curves.root_uv))
         add("st", types.TexCoord2fArray, uvs)
