@@ -7,3 +7,9 @@ function(lancret_folder name)
     target_include_directories(lancret_${name} PUBLIC "${PROJECT_SOURCE_DIR}")
     target_link_libraries(lancret_${name} PUBLIC ${ARG_LINK} PRIVATE lancret_options)
 endfunction()
+
+# What loads libraries by name finds them by its own run path, even where a sanitizer's dlopen
+# asks on its behalf: that knows the old kind of run path alone.
+function(lancret_loads_plugins target)
+    target_link_options(${target} PRIVATE LINKER:--disable-new-dtags)
+endfunction()

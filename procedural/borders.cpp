@@ -27,16 +27,17 @@ std::vector<std::uint32_t> map_regions(const RegionMap& map, const Scalp& scalp,
 
 /// The region of the strand that is nearest to each of `count` places.
 template <class PlaceOf>
-std::vector<std::uint32_t> nearest_regions(std::span<const std::uint32_t> regions,
+std::vector<std::uint32_t> nearest_regions(const Regions& regions,
                                            std::span<const Vec3> roots, std::size_t count,
                                            PlaceOf place_of) {
     std::vector<std::uint32_t> out(count);
-    const PointTree tree(roots);
+    const auto known =
+        regions.tree ? regions.tree : std::make_shared<const RootTree>(roots);
     cancellable_for(std::size_t(0), count, [&](std::size_t i) {
         std::uint32_t nearest = 0;
         double squared = 0;
-        tree.nearest(place_of(i), {&nearest, 1}, {&squared, 1});
-        out[i] = regions[nearest];
+        known->tree.nearest(place_of(i), {&nearest, 1}, {&squared, 1});
+        out[i] = regions.strands[nearest];
     });
     return out;
 }
@@ -50,6 +51,7 @@ Regions read_regions(const RegionSettings& settings, const std::string& name,
     if (!settings.ids.empty()) {
         const auto ids = read_region_ids(settings.ids, in_file);
         for (const std::uint32_t i : numbers) out.strands.push_back(ids[i]);
+        out.tree = std::make_shared<RootTree>(roots);
     } else if (!settings.texture.empty()) {
         if (!scalp || scalp->mesh.uvs.empty()) {
             throw InputError(fmt::format(
@@ -68,7 +70,7 @@ std::vector<std::uint32_t> regions_at(const Regions& regions,
                                       std::span<const Vec3> places) {
     if (regions.map) return map_regions(*regions.map, *scalp, places);
     if (regions.strands.empty()) return {};
-    return nearest_regions(regions.strands, roots, places.size(),
+    return nearest_regions(regions, roots, places.size(),
                            [&](std::size_t i) { return places[i]; });
 }
 
@@ -84,7 +86,7 @@ std::vector<std::uint32_t> child_regions(const Regions& regions,
     }
     if (regions.strands.empty()) return {};
     return nearest_regions(
-        regions.strands, roots, children.size(),
+        regions, roots, children.size(),
         [&](std::size_t i) -> Vec3 { return children.positions[i].cast<double>(); });
 }
 

@@ -2,10 +2,12 @@
 // What a groom says of regions and partings, brought onto its scalp.
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "guides/point_tree.h"
 #include "guides/scalp.h"
 #include "procedural/partings.h"
 #include "procedural/region_map.h"
@@ -21,11 +23,20 @@ struct RegionSettings {
     bool any() const { return !texture.empty() || !ids.empty(); }
 };
 
+/// Roots that are searched for the nearest.
+struct RootTree {
+    std::vector<Vec3> roots;
+    PointTree tree{roots};
+
+    explicit RootTree(std::span<const Vec3> of) : roots(of.begin(), of.end()) {}
+};
+
 /// The regions of a groom. A root's region is the colour of the map where the scalp is
 /// nearest to it, or that of the nearest of the groom's strands.
 struct Regions {
     std::optional<RegionMap> map;
     std::vector<std::uint32_t> strands;  ///< [strands that grow]; empty: all are one
+    std::shared_ptr<const RootTree> tree{};  ///< their roots; none: made when asked
 };
 
 /// Reads the regions of strands whose roots are at `roots`; strand i is number

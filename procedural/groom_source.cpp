@@ -12,14 +12,16 @@ namespace {
 constexpr std::string_view kOthersTables[] = {"camera", "light",    "material",
                                               "render", "dynamics", "colliders"};
 
-}  // namespace
-
+/// The groom that a cache of guides names, where it is a .toml that is there; else
+/// nothing: then the guides stand by themselves.
 std::filesystem::path groom_of_cache(const std::filesystem::path& cache) {
     const std::filesystem::path groom = guide_cache_info(cache).groom;
     std::error_code unknown;  // counts as not there
     const bool there = std::filesystem::is_regular_file(groom, unknown);
     return there && groom.extension() == ".toml" ? groom : std::filesystem::path();
 }
+
+}  // namespace
 
 SourcedGroom read_groom_source(const GroomSource& source) {
     const bool from_text = source.text || source.path.empty();

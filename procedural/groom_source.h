@@ -36,10 +36,6 @@ struct SourcedGroom {
 inline constexpr std::string_view kGroomTables[] = {
     "scene", "guides", "scalp", "strands", "regions", "partings", "width"};
 
-/// The groom that a cache of guides names, where it is a .toml that is there; else
-/// nothing: then the guides stand by themselves.
-std::filesystem::path groom_of_cache(const std::filesystem::path& cache);
-
 /// The groom of a source; of one with neither path nor text, the groom that Lancret makes
 /// or that the source holds. The tables [camera], [light], [material], [render],
 /// [dynamics] and [[colliders]] belong to others and are not looked at. Throws

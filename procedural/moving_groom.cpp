@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "guides/errors.h"
 #include "guides/guides_between.h"
@@ -165,7 +166,8 @@ bool same(const ScalpPose& a, const ScalpPose& b) {
 
 bool is_still(const GroomTimes& times, std::span<const MeshPoint> guide_places,
               std::span<const double> frames) {
-    if (!times.moves() || frames.empty()) return true;
+    const bool one = std::ranges::adjacent_find(frames, std::not_equal_to{}) == frames.end();
+    if (!times.moves() || one) return true;
     const auto pose_at = [&](double frame) {
         return times.pose_at ? times.pose_at(frame) : ScalpPose();
     };

@@ -1,25 +1,10 @@
 #pragma once
 // A groom in time: guides of a cache's frames and between them, on a scalp that moves.
 
-#include "guides/guide_cache.h"
 #include "procedural/generator.h"
-#include "procedural/pose.h"
+#include "procedural/groom_times.h"
 
 namespace lancret {
-
-/// Where a groom's guides and scalp are in time, as an artist counts frames.
-struct GroomTimes {
-    std::filesystem::path cache;  ///< empty: the groom is no cache and holds still
-    GuideCacheInfo info;          ///< of the cache
-    ScalpPoseAt pose_at;          ///< none: the scalp stays at rest
-
-    bool moves() const { return !cache.empty(); }
-    int first() const { return info.first_frame; }
-    int last() const { return info.first_frame + (info.frames - 1); }
-};
-
-/// Throws InputError where the groom's cache cannot be read.
-GroomTimes groom_times(const Groom& groom, ScalpPoseAt pose_at);
 
 /// Everything of one frame that is not the same in all.
 struct FrameState {

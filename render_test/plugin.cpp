@@ -44,7 +44,6 @@ Plugin::Plugin() {
         throw InputError(fmt::format("{}: has version {} of the interface, expected {}",
                                      name, f.abi_version(), LANCRET_ABI_VERSION));
     }
-    find("lancret_version", f.version);
     find("lancret_create", f.create);
     find("lancret_destroy", f.destroy);
     find("lancret_open", f.open);

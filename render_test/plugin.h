@@ -1,6 +1,6 @@
 #pragma once
 // The library that strands come from, loaded by its name: the path tracer is a host of
-// the C interface like any other, and links nothing of what is behind it.
+// the C interface like any other.
 
 #include <filesystem>
 #include <memory>
@@ -11,7 +11,6 @@ namespace lancret {
 
 /// The interface's functions as the library has them.
 struct PluginFunctions {
-    decltype(&lancret_version) version = nullptr;
     decltype(&lancret_abi_version) abi_version = nullptr;
     decltype(&lancret_create) create = nullptr;
     decltype(&lancret_destroy) destroy = nullptr;

@@ -12,12 +12,17 @@ namespace lancret {
 
 namespace {
 
+/// What was told last of a call that failed, by the thread that called.
+thread_local std::string fault;
+
 lancret_status copy_mesh(void* to, const lancret_mesh* mesh) {
     if (mesh->vertices == 0) return LANCRET_OK;
     TriangleMesh out;
     const auto row = [](const float* from, std::size_t i) {
         return Vec3f(from[3 * i], from[3 * i + 1], from[3 * i + 2]);
     };
+    out.positions.reserve(mesh->vertices);
+    out.triangles.reserve(mesh->triangles);
     for (std::size_t i = 0; i < mesh->vertices; ++i) {
         out.positions.push_back(row(mesh->positions, i));
     }
@@ -123,10 +128,12 @@ Eigen::AlignedBox3f PluginGroom::bound(lancret_u32 chunk) const {
 
 void PluginGroom::take(void* self, int level, const char* text) {
     auto& groom = *static_cast<PluginGroom*>(self);
-    const std::lock_guard lock(groom.mutex_);
     if (level == LANCRET_LOG_ERROR) {
-        if (groom.fault_.empty()) groom.fault_ = text;
-    } else if (level == LANCRET_LOG_WARNING) {
+        fault = text;
+        return;
+    }
+    const std::lock_guard lock(groom.mutex_);
+    if (level == LANCRET_LOG_WARNING) {
         if (groom.log_.warning) groom.log_.warning(text);
     } else if (groom.log_.stage) {
         groom.log_.stage(text);
@@ -135,8 +142,6 @@ void PluginGroom::take(void* self, int level, const char* text) {
 
 void PluginGroom::must(lancret_status status) const {
     if (status == LANCRET_OK) return;
-    const std::lock_guard lock(mutex_);
-    const std::string fault = std::exchange(fault_, {});
     if (status == LANCRET_BAD_INPUT) throw InputError(fault);
     if (status == LANCRET_OUT_OF_MEMORY) throw std::bad_alloc();
     throw std::runtime_error(fmt::format("the plugin's status is {}: {}", status, fault));

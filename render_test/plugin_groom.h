@@ -54,8 +54,8 @@ class PluginGroom {
     /// nothing. Throws InputError.
     Eigen::AlignedBox3f bound(lancret_u32 chunk) const;
 
-    /// Throws what the plugin has told of a call that failed: InputError where the input
-    /// is at fault, else std::runtime_error.
+    /// Throws what the plugin has told of a call of this thread that failed: InputError
+    /// where the input is at fault, else std::runtime_error.
     void must(lancret_status status) const;
 
   private:
@@ -66,8 +66,7 @@ class PluginGroom {
     lancret_context* context_ = nullptr;
     lancret_groom* groom_ = nullptr;
     lancret_info info_{};
-    mutable std::mutex mutex_;
-    mutable std::string fault_;  ///< the first that was told, until it is thrown
+    std::mutex mutex_;  ///< of the log
 };
 
 }  // namespace lancret

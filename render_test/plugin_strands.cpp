@@ -78,8 +78,8 @@ PluginStrands::PluginStrands(const PluginGroom& groom, StrandRequest request)
         }
         if (points_ > std::numeric_limits<std::uint32_t>::max()) {
             throw InputError(fmt::format(
-                "{} strands have {} points, more than 2^32: ask for fewer by --strands, "
-                "--density or --intervals",
+                "{} strands have {} points, more than 2^32: ask for fewer strands or "
+                "intervals",
                 strands_, points_));
         }
     } catch (...) {

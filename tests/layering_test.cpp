@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -130,12 +131,18 @@ std::string adapter_fault(const Include& include) {
                : std::string();
 }
 
+/// The path tracer and the preview.
+bool is_of_picture(const std::string& path) {
+    constexpr const char* kPicture[] = {"render_test/", "tools/preview",
+                                        "tools/check_views.", "tools/lod."};
+    return std::ranges::any_of(kPicture,
+                               [&](const char* start) { return begins(path, start); });
+}
+
 /// A picture has its strands from the plugin and no other way in: settings, tolerances,
 /// texts and the curves' own memory are all that the path tracer and the preview share
 /// with what grows them.
 std::string picture_fault(const Include& include) {
-    constexpr const char* kPicture[] = {"render_test/", "tools/preview",
-                                        "tools/check_views.", "tools/lod."};
     constexpr const char* kShared[] = {
         "lancret_procedural", "curves",           "strand_values",
         "toml_table",         "stopwatch",        "bind_report",
@@ -147,7 +154,7 @@ std::string picture_fault(const Include& include) {
     const auto shared = [&](const char* name) {
         return include.name == folder + name + ".h";
     };
-    return std::ranges::any_of(kPicture, of_picture) && begins(include.name, folder) &&
+    return is_of_picture(include.file) && begins(include.name, folder) &&
                    std::ranges::none_of(kShared, shared)
                ? include.file + " may not include " + include.name
                : std::string();
@@ -251,6 +258,41 @@ TEST(Layering, AdaptersKnowTheCInterfaceAlone) {
     EXPECT_EQ(adapter_fault(include("procedural/lancret_procedural.h")), "");
     EXPECT_EQ(adapter_fault(include("procedural/adapters/ri.h")), "");
     expect_faultless(adapter_fault);
+}
+
+/// All that a file includes, and what that includes.
+std::set<std::string> reach_of(const std::string& path) {
+    std::set<std::string> out;
+    std::vector<std::string> open{path};
+    while (!open.empty()) {
+        const std::string next = open.back();
+        open.pop_back();
+        const auto file = std::ranges::find(tree(), next, &SourceFile::path);
+        if (file == tree().end()) continue;
+        for (const Include& include : includes_in(file->path, file->text)) {
+            if (include.quoted && out.insert(include.name).second)
+                open.push_back(include.name);
+        }
+    }
+    return out;
+}
+
+TEST(Layering, NothingInAPictureReachesWhatGrowsStrands) {
+    const auto grows = [](const std::string& path) {
+        const std::set<std::string> reach = reach_of(path);
+        for (const char* name : {"generator", "chunked_groom", "children", "moving_groom",
+                                 "chunk_bound", "abi/prepared"}) {
+            const std::string header = "procedural/" + std::string(name) + ".h";
+            if (reach.contains(header)) return header;
+        }
+        return std::string();
+    };
+    EXPECT_NE(grows("tools/check.cpp"), "");
+    for (const SourceFile& file : tree()) {
+        if (is_of_picture(file.path)) {
+            EXPECT_EQ(grows(file.path), "") << file.path;
+        }
+    }
 }
 
 TEST(Layering, PicturesHaveTheirStrandsFromThePlugin) {

@@ -12,11 +12,7 @@
 
 #include "guides/atomic_file.h"
 #include "guides/errors.h"
-#include "procedural/bind_report.h"
 #include "procedural/density.h"
-#include "procedural/fit_report.h"
-#include "procedural/groom_source.h"
-#include "tools/progress.h"
 #include "tools/quiet_stderr.h"
 
 namespace lancret {
@@ -49,7 +45,10 @@ std::vector<GroomParameter> parameters_of(const GroomOptions& options) {
         if (!value.empty()) out.push_back({name, value, 0});
     };
     if (!options.scalp.empty()) {
-        text("scalp.file", std::filesystem::absolute(options.scalp).string());
+        // Files of a groom are found from its folder, those of an option from here.
+        const std::filesystem::path scalp = options.scalp;
+        const bool here = !options.input.has_parent_path();
+        text("scalp.file", (here ? scalp : std::filesystem::absolute(scalp)).string());
     }
     if (!options.guides.empty()) {
         const GuideCount guides = parse_guide_count(options.guides, "--guides");
@@ -203,6 +202,22 @@ CLI::Validator between(double low, double high) {
                             : fmt::format("'{}' is not from {} to {}", text, low, high);
             },
             fmt::format("{} to {}", low, high)};
+}
+
+void check_points(const Groom& groom, std::uint64_t strands, int intervals,
+                  std::uint64_t points) {
+    if (points <= std::numeric_limits<std::uint32_t>::max()) return;
+    throw InputError(fmt::format(
+        "{}: {} strands of {} intervals have {} points, more than 2^32: ask for fewer by "
+        "--strands or --intervals",
+        groom.name, strands, intervals, points));
+}
+
+void check_points(const Groom& groom) {
+    const std::uint64_t asked = groom.strands.value_or(1);
+    const int least = groom.intervals.value_or(1);
+    check_points(groom, asked, least,
+                 asked * control_points_of(groom.expand.basis, std::uint32_t(least)));
 }
 
 std::pair<int, int> parse_size(const std::string& text) {

@@ -66,6 +66,12 @@ CLI::Validator between(double low, double high);
 /// is.
 std::string is_seed(const std::string& text);
 
+/// Throws InputError where strands have more control points than 32 bits can count; the
+/// second before any work, by what the groom asks for.
+void check_points(const Groom& groom, std::uint64_t strands, int intervals,
+                  std::uint64_t points);
+void check_points(const Groom& groom);
+
 /// "1280x720"; throws InputError.
 std::pair<int, int> parse_size(const std::string& text);
 

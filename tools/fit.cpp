@@ -8,6 +8,7 @@
 #include "guides/errors.h"
 #include "guides/guide_cache.h"
 #include "tools/command.h"
+#include "tools/generate.h"
 #include "tools/stats.h"
 
 namespace lancret {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "procedural/moving_groom.h"
+#include "procedural/groom_times.h"
 #include "tools/command.h"
 
 namespace lancret {

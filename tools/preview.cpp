@@ -11,7 +11,6 @@
 #include "procedural/check_figures.h"
 #include "procedural/stopwatch.h"
 #include "render_test/contact_sheet.h"
-#include "tools/generate.h"
 #include "tools/lod.h"
 #include "tools/preview_groom.h"
 #include "tools/preview_options.h"
@@ -38,6 +37,7 @@ std::vector<Camera> cameras_of(const Job& job, const Eigen::AlignedBox3f& box,
 
 /// What all pictures took together; of the first one, until it was there.
 void add_cost(const PictureCost& cost, bool first, PictureCost& total) {
+    total.bind += cost.bind;
     total.expand += cost.expand;
     total.bvh += cost.bvh;
     total.render += cost.render;
@@ -55,7 +55,7 @@ void print_picture(const std::filesystem::path& output, const nlohmann::json& st
         "expand {:.3f}, BVH {:.2f}, render {:.1f} ({:.2f} million rays/s); {:.0f} MB\n",
         output.string(), strands, stats.at("guides").get<std::size_t>(),
         seconds.at("load").get<double>(), seconds.at("fit").get<double>(),
-        seconds.at("bind").get<double>(), cost.expand, cost.bvh, cost.render,
+        seconds.at("bind").get<double>() + cost.bind, cost.expand, cost.bvh, cost.render,
         cost.render > 0 ? 1e-6 * double(cost.rays) / cost.render : 0.0,
         double(peak_rss()) / 1e6);
 }
@@ -101,7 +101,7 @@ int preview(const PreviewOptions& options) {
     StrandRequest asked;
     asked.faces = job.preview.hair.aspect < 1;
     if (asked.faces) check_faces(job);
-    check_asked_points(job.groom);
+    check_points(job.groom);
 
     std::unique_ptr<PluginGroom> groom = open_groom(job);
     const std::size_t views = options.turntable ? outputs.size() : 0;
@@ -157,11 +157,12 @@ int preview(const PreviewOptions& options) {
             asked.times = times.frames;
             Stopwatch watch;
             auto strands = bind_strands(*groom, asked, job);
-            const double bind = watch.lap();
+            cost.bind = watch.lap();
             if (stats.empty()) {
                 tell_binding(*strands);
-                stats = groom_stats(*groom, *strands, bind);
+                stats = groom_stats(*groom, *strands);
             }
+            moments.clear();
             moments = grow(*groom, *strands, times.frames, job, cameras, shape, cost);
             // Strands keep the shape that the first picture gave them: nothing pops.
             shape = moments.front().curves.shape;
@@ -203,12 +204,15 @@ int preview(const PreviewOptions& options) {
              {"times", times.frames},
              {"still", still},
              {"seconds",
-              {{"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
+              {{"bind", cost.bind},
+               {"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
         print_picture(outputs[i].picture, stats, moments.front().curves.strands, cost);
         std::fflush(stdout);
     }
     if (sheet) write_image(options.contact_sheet, sheet->image);
     add_curve_stats(stats, moments[0].curves, total.expand);
+    nlohmann::json& bind = stats["seconds"]["bind"];
+    bind = bind.get<double>() + total.bind;
     stats["seconds"]["bvh"] = total.bvh;
     stats["seconds"]["render"] = total.render;
     stats["seconds"]["first_picture"] = total.first;

@@ -45,15 +45,14 @@ void tell_binding(const PluginStrands& strands) {
                bind_table(report_of(strands.info()), strands.size(), "lancret: "));
 }
 
-nlohmann::json groom_stats(const PluginGroom& groom, const PluginStrands& strands,
-                           double bind) {
+nlohmann::json groom_stats(const PluginGroom& groom, const PluginStrands& strands) {
     const lancret_info& info = groom.info();
     nlohmann::json out = nlohmann::json::parse(groom.description());
     out["strands"] = strands.size();
     out["intervals"] = info.intervals;
     out["seconds"] = {{"load", info.load_seconds},
                       {"fit", info.fit_seconds},
-                      {"bind", info.bind_seconds + bind}};
+                      {"bind", info.bind_seconds}};
     out["bytes"]["binding"] = strands.info().bytes;
     out["bytes"]["binding_per_strand"] =
         double(strands.info().bytes) / double(std::max<std::size_t>(1, strands.size()));

@@ -17,9 +17,8 @@ std::unique_ptr<PluginGroom> open_groom(const Job& job);
 void tell_binding(const PluginStrands& strands);
 
 /// lancret_describe's, and {strands, intervals, seconds.{load, fit, bind},
-/// bytes.{binding, binding_per_strand}, bind.{...}: bind_json}; `bind` are the seconds
-/// that binding the chunks took.
-nlohmann::json groom_stats(const PluginGroom& groom, const PluginStrands& strands,
-                           double bind);
+/// bytes.{binding, binding_per_strand}, bind.{...}: bind_json}; seconds.bind without
+/// that of the chunks.
+nlohmann::json groom_stats(const PluginGroom& groom, const PluginStrands& strands);
 
 }  // namespace lancret

@@ -17,7 +17,7 @@ namespace lancret {
 
 /// What one picture cost, s and bytes.
 struct PictureCost {
-    double expand = 0, bvh = 0, render = 0;
+    double bind = 0, expand = 0, bvh = 0, render = 0;
     double first = 0;  ///< of `render`, until the first picture was there
     std::uint64_t rays = 0, paths = 0;
     std::size_t bvh_bytes = 0;

@@ -5,8 +5,7 @@
 #include <algorithm>
 
 #include "guides/atomic_file.h"
-#include "procedural/bind_report.h"
-#include "procedural/fit_report.h"
+#include "procedural/control_points.h"
 
 namespace lancret {
 
@@ -14,25 +13,6 @@ std::size_t peak_rss() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return std::size_t(usage.ru_maxrss) * 1024;
-}
-
-nlohmann::json fit_stats(const GroomGuides& source) {
-    nlohmann::json stats = fit_json(source);
-    stats["seconds"] = {{"load", source.seconds.load}, {"fit", source.seconds.fit}};
-    return stats;
-}
-
-nlohmann::json generator_stats(const Generator& g) {
-    nlohmann::json stats = fit_stats(g.source);
-    stats["strands"] = g.binding.size();
-    stats["intervals"] = g.profiles.count;
-    stats["blend"] = blend_name(g.groom.expand.blend);
-    stats["seconds"]["bind"] = g.seconds.bind;
-    stats["bytes"]["binding"] = g.binding.bytes();
-    stats["bytes"]["binding_per_strand"] =
-        double(g.binding.bytes()) / double(std::max<std::size_t>(1, g.binding.size()));
-    stats["bind"] = bind_json(g.binding.report);
-    return stats;
 }
 
 IntervalCounts interval_counts(const Curves& curves) {

@@ -6,20 +6,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "procedural/generator.h"
+#include "procedural/curves.h"
 #include "procedural/stopwatch.h"
 
 namespace lancret {
 
 /// The largest resident size of the process so far, bytes.
 std::size_t peak_rss();
-
-/// {groom_strands, guides, segments, seconds.{load, fit}, fit.{...}, roots.{...}}.
-nlohmann::json fit_stats(const GroomGuides& source);
-
-/// fit_stats and {strands, intervals, blend, seconds.bind, bytes.{binding,
-/// binding_per_strand}, bind.{...}: bind_json}. Commands add their own seconds and bytes.
-nlohmann::json generator_stats(const Generator& generator);
 
 /// Strands by the number of their intervals, finest first.
 using IntervalCounts = std::map<int, std::size_t, std::greater<>>;

@@ -4,10 +4,12 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <map>
 
+#include "procedural/check_values.h"
 #include "procedural/generator.h"
 #include "procedural/groom_source.h"
 #include "render_test/embree_scene.h"
@@ -105,15 +107,23 @@ TEST(PluginStrands, FiguresStandWhereTheirStrandsDo) {
     const StrandValues frames = strands.figures(LANCRET_ORTHOGONALITY, 0, curves);
     const StrandGuides guides = strands.guides();
     ASSERT_EQ(curvature.strands(), curves.strands);
+    const Generator direct = folder.direct();
+    const Binding& binding = direct.binding;
+    const StrandValues own =
+        curvature_values(binding, rest_guides(direct), direct.groom.expand.blend);
+    std::map<std::uint32_t, std::uint32_t> places;
+    for (std::uint32_t i = 0; i < binding.size(); ++i) places[binding.roots.id(i)] = i;
     for (std::uint32_t i = 0; i < curves.strands; ++i) {
         const std::uint32_t segments = curves.class_of(i).segments;
         ASSERT_EQ(curvature.of(i).size(), segments);
         ASSERT_EQ(frames.of(i).size(), segments + 1);
-        float sum = 0;
-        for (std::size_t k = 0; k < guides.neighbours; ++k) {
-            sum += guides.weights[i * guides.neighbours + k];
+        const std::uint32_t place = places.at(curves.id_of(i));
+        ASSERT_TRUE(std::ranges::equal(curvature.of(i), own.of(place))) << i;
+        const std::size_t n = guides.neighbours;
+        for (std::size_t k = 0; k < n; ++k) {
+            ASSERT_EQ(guides.guides[i * n + k], binding.guides[place * n + k]);
+            ASSERT_EQ(guides.weights[i * n + k], binding.weights[place * n + k]);
         }
-        ASSERT_NEAR(sum, 1, 1e-5);
     }
 }
 

@@ -1,6 +1,7 @@
 /* A plugin that knows nothing of hair: whatever it is asked to open, it gives as many posts
  * as strands.count says, 10 cm high and 1 cm wide, 2 cm apart along x, with ids from 1000
- * on. What a picture shows of them can have come from nowhere else. */
+ * on, each a chunk. What a picture shows of them can have come from nowhere else. Where
+ * OTHER_PLUGIN_FAILS is said, no chunk can be written. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,13 +10,15 @@
 enum { kPoints = 5, kSegments = 2, kFirstId = 1000 };
 
 struct lancret_context {
-    int unused;
+    lancret_host host;
 };
 struct lancret_groom {
+    const lancret_host *host;
     lancret_u32 posts;
 };
 struct lancret_chunk {
-    lancret_u32 posts;
+    const lancret_host *host;
+    lancret_u32 post;
 };
 
 const char *lancret_version(void) { return "other"; }
@@ -28,8 +31,8 @@ int lancret_abi_version(void) {
 lancret_status lancret_create(int abi_version, const lancret_host *host,
                               lancret_context **context) {
     (void)abi_version;
-    (void)host;
     *context = calloc(1, sizeof **context);
+    (*context)->host = *host;
     return LANCRET_OK;
 }
 
@@ -38,10 +41,10 @@ void lancret_destroy(lancret_context *context) { free(context); }
 lancret_status lancret_open(lancret_context *context, const lancret_source *source,
                             lancret_groom **groom, char *error, size_t error_size) {
     size_t i;
-    (void)context;
     (void)error;
     (void)error_size;
     *groom = calloc(1, sizeof **groom);
+    (*groom)->host = &context->host;
     for (i = 0; i < source->parameter_count; ++i) {
         const lancret_parameter *p = &source->parameters[i];
         if (strcmp(p->name, "strands.count") == 0) (*groom)->posts = (lancret_u32)p->number;
@@ -63,8 +66,8 @@ lancret_status lancret_get_info(const lancret_groom *groom, lancret_info *info) 
     size_t size = info->size;
     memset(info, 0, size);
     info->size = size;
-    info->chunks = info->guides = info->segments = info->neighbours = 1;
-    info->strands = groom->posts;
+    info->guides = info->segments = info->neighbours = 1;
+    info->chunks = info->strands = groom->posts;
     info->intervals = kSegments;
     info->basis = LANCRET_BSPLINE;
     info->shape = LANCRET_FLAT;
@@ -110,36 +113,38 @@ lancret_status lancret_bound(const lancret_groom *groom, lancret_u32 chunk,
 
 lancret_status lancret_chunk_open(const lancret_groom *groom, lancret_u32 chunk,
                                   const lancret_options *options, lancret_chunk **bound) {
-    (void)chunk;
     (void)options;
     *bound = calloc(1, sizeof **bound);
-    (*bound)->posts = groom->posts;
+    (*bound)->host = groom->host;
+    (*bound)->post = chunk;
     return LANCRET_OK;
 }
 
 lancret_status lancret_chunk_sizes(const lancret_chunk *bound, lancret_curves *sizes) {
     size_t size = sizes->size;
+    (void)bound;
     memset(sizes, 0, size);
     sizes->size = size;
     sizes->basis = LANCRET_BSPLINE;
-    sizes->strands = bound->posts;
-    sizes->points = bound->posts * kPoints;
-    sizes->times = sizes->neighbours = 1;
+    sizes->points = kPoints;
+    sizes->strands = sizes->times = sizes->neighbours = 1;
     return LANCRET_OK;
 }
 
 lancret_status lancret_chunk_write(const lancret_chunk *bound, const lancret_curves *to) {
-    lancret_u32 i, j;
-    for (i = 0; i < bound->posts; ++i) {
-        ((lancret_u32 *)to->counts)[i] = kPoints;
-        ((lancret_u32 *)to->ids)[i] = kFirstId + i;
-        for (j = 0; j < kPoints; ++j) {
-            float *p = (float *)to->positions[0] + 4 * (i * kPoints + j);
-            p[0] = 2 * (float)i;
-            p[1] = 5 * ((float)j - 1); /* from a segment below to one above */
-            p[2] = 0;
-            p[3] = 0.5f;
-        }
+    lancret_u32 j;
+    if (getenv("OTHER_PLUGIN_FAILS")) {
+        bound->host->log(bound->host->user, LANCRET_LOG_ERROR, "the posts are gone");
+        return LANCRET_BAD_INPUT;
+    }
+    *(lancret_u32 *)to->counts = kPoints;
+    *(lancret_u32 *)to->ids = kFirstId + bound->post;
+    for (j = 0; j < kPoints; ++j) {
+        float *p = (float *)to->positions[0] + 4 * j;
+        p[0] = 2 * (float)bound->post;
+        p[1] = 5 * ((float)j - 1); /* from a segment below to one above */
+        p[2] = 0;
+        p[3] = 0.5f;
     }
     return LANCRET_OK;
 }
@@ -148,9 +153,10 @@ void lancret_chunk_close(lancret_chunk *bound) { free(bound); }
 
 lancret_status lancret_get_chunk_info(const lancret_chunk *bound, lancret_chunk_info *info) {
     size_t size = info->size;
+    (void)bound;
     memset(info, 0, size);
     info->size = size;
-    info->strands = bound->posts;
+    info->strands = 1;
     return LANCRET_OK;
 }
 
@@ -159,6 +165,6 @@ lancret_status lancret_chunk_figures(const lancret_chunk *bound, int figure, siz
     lancret_u32 i;
     (void)figure;
     (void)time;
-    for (i = 0; i < bound->posts * kSegments; ++i) values[i] = 0.25f;
+    for (i = 0; i < kSegments; ++i) values[i] = 0.25f * (float)(1 + bound->post);
     return LANCRET_OK;
 }

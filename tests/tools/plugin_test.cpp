@@ -38,7 +38,7 @@ TEST(PreviewPlugin, PicturesShowWhatTheLibraryGivesAndNothingElse) {
     const Variable other("LANCRET_LIBRARY", OTHER_PLUGIN);
     const CommandRun run = lancret(words_of(folder));
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("most 0.25"));
+    EXPECT_THAT(run.out, HasSubstr("most 0.75, of strand 1002"));
     const auto stats = nlohmann::json::parse(read_bytes(folder.at("a.json")));
     EXPECT_EQ(stats["strands"], 3);
     EXPECT_EQ(stats["points"], 15);
@@ -53,10 +53,19 @@ TEST(PreviewPlugin, PicturesShowWhatTheLibraryGivesAndNothingElse) {
     for (std::size_t i = 0; i < layers.id.size(); ++i) {
         if (layers.id[i] == kNothingId) continue;
         ++covered;
-        EXPECT_EQ(layers.value[i], 0.25f);
+        EXPECT_EQ(layers.value[i], 0.25f * float(layers.id[i] - 999));
     }
     EXPECT_GT(covered, 200u);
     EXPECT_LT(covered, 1800u);
+}
+
+TEST(PreviewPlugin, OfSeveralChunksThatFailAtOnceOneIsTold) {
+    const SmallGrooms folder;
+    const Variable other("LANCRET_LIBRARY", OTHER_PLUGIN);
+    const Variable fails("OTHER_PLUGIN_FAILS", "1");
+    for (int run = 0; run < 20; ++run) {
+        EXPECT_THAT(lancret(words_of(folder)), refuses_with("the posts are gone"));
+    }
 }
 
 TEST(PreviewPlugin, ALibraryThatIsNoneIsRefused) {
