@@ -33,7 +33,8 @@ lancret_status lancret_expand(const lancret_groom* groom, lancret_u32 chunk,
         const ChunkArrays arrays(bound, *workspace);
         write_chunk(own, bound, arrays.curves, *workspace);
         lancret::stop_if_cancelled();
-        const lancret_status status = sink(user, &arrays.curves);
+        lancret_status status = LANCRET_OK;
+        call_host([&] { status = sink(user, &arrays.curves); });
         if (status != LANCRET_OK) throw SinkEnded{status};
     });
 }

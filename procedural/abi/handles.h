@@ -25,6 +25,14 @@ struct lancret_groom {
 
 namespace lancret::abi {
 
+/// Calls back into the host: loops of its own in TBB are not cut short where the call
+/// that they run in is cancelled. On this thread, before it returns.
+template <class Callback>
+void call_host(const Callback& callback) {
+    tbb::task_group_context own(tbb::task_group_context::isolated);
+    tbb::task_group(own).run_and_wait(callback);
+}
+
 void log(const lancret_context& context, int level, const std::string& text);
 
 /// Copies `text`, cut to `size` bytes with its end, and not inside a letter of UTF-8.

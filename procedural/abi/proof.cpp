@@ -101,7 +101,7 @@ lancret_status lancret_evaluate(lancret_context* context, const lancret_source* 
         [&] {
             require(sink, "sink");
             const std::string text = evaluation_text(*context, read_source(source));
-            sink(user, text.c_str());
+            call_host([&] { sink(user, text.c_str()); });
         },
         &fault);
     copy_text(fault, error, error_size);
