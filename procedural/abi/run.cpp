@@ -43,7 +43,7 @@ class Call {
     Call(const Call&) = delete;
     Call& operator=(const Call&) = delete;
 
-    void run(const std::function<void()>& work, int threads) {
+    void run(WorkRef work, int threads) {
         // More than the machine has would have TBB say so on stderr.
         tbb::task_arena arena(threads > 0
                                   ? std::min(threads, tbb::info::default_concurrency())
@@ -99,8 +99,7 @@ void log(const lancret_context& context, int level, const std::string& text) {
     call_host([&] { context.host.log(context.host.user, level, text.c_str()); });
 }
 
-lancret_status run(lancret_context& context, const std::function<void()>& work,
-                   std::string* error) noexcept {
+lancret_status run(lancret_context& context, WorkRef work, std::string* error) noexcept {
     const auto tell = [&](lancret_status status, const char* text) noexcept {
         try {
             if (error) *error = text;
