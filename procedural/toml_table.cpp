@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "guides/errors.h"
+#include "procedural/toml_depth.h"
 #include "procedural/toml_table_node.h"
 
 namespace lancret {
@@ -47,6 +48,7 @@ std::optional<std::string_view> nearest_name(std::string_view word,
 
 TomlTable TomlTable::from_text(std::string_view text, std::string name,
                                const std::filesystem::path& folder) {
+    check_toml_depth(text, name);
     auto document = std::make_shared<TomlDocument>();
     document->name = std::move(name);
     document->folder = folder;
