@@ -222,9 +222,11 @@ typedef struct lancret_options {
     size_t time_count;   /* at most 256 */
     int basis;           /* LANCRET_BSPLINE, ... */
     float max_error;     /* that the curves may be off the strand, 1e-4 cm at least, as
-                          * measured on thousands of strands; 0: the groom's own. Strands
-                          * that need fewer points have fewer, but for those with normals
-                          * and where the groom says strands.adapt = false */
+                          * measured on thousands of strands; 0: the groom's own. Where
+                          * 1024 intervals a strand do not keep it, a warning in the log
+                          * says how far off curves are. Strands that need fewer points
+                          * have fewer, but for those with normals and where the groom
+                          * says strands.adapt = false */
     double density; /* share of the strands that are grown, wider; 0: the groom's own */
     double pixels;  /* that the chunk covers, for: */
     double strands_a_pixel; /* at most so many; 0: no level of detail */

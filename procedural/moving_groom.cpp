@@ -64,20 +64,24 @@ StrandClasses classes_in_time(const Generator& generator, const GroomTimes& time
 }
 
 int intervals_in_time(const Generator& generator, const GroomTimes& times,
-                      CurveBasis basis, double tolerance, int most) {
+                      CurveBasis basis, double tolerance, int most, double* reached) {
     const Blend blend = generator.groom.expand.blend;
+    double distance = 0;
     int out = intervals_within(generator.sample, generator.source.guides, blend,
-                               tolerance, basis, most);
+                               tolerance, basis, most, &distance);
+    double farthest = distance;
     each_measured_frame(
         generator, times, [&](int frame, const Guides& guides, const Binding& sample) {
             try {
-                out = std::max(
-                    out, intervals_within(sample, guides, blend, tolerance, basis, most));
+                out = std::max(out, intervals_within(sample, guides, blend, tolerance,
+                                                     basis, most, &distance));
+                farthest = std::max(farthest, distance);
             } catch (const InputError& error) {
                 throw InputError(fmt::format("{}: frame {}: {}", times.cache.string(),
                                              frame, error.what()));
             }
         });
+    if (reached) *reached = farthest;
     return out;
 }
 

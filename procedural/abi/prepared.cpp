@@ -1,5 +1,7 @@
 #include "procedural/abi/prepared.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "procedural/emission.h"
@@ -7,8 +9,9 @@
 namespace lancret::abi {
 
 Prepared::Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
-                   const StageCallback& stage)
-    : groom_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
+                   const StageCallback& stage, Warn warn)
+    : warn_(std::move(warn)),
+      groom_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
       times_(groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom))) {
     if (times_.moves()) prepare_frames(groom_.generator, times_);
     const GroomGuides& source = generator().source;
@@ -61,9 +64,15 @@ std::shared_ptr<const StrandClasses> Prepared::classes(CurveBasis basis, float m
                           : generator().classes);
         }
         const double tolerance = as_groom ? own.tolerance : double(max_error);
-        const int finest = intervals_in_time(
-            generator(), times_, basis, tolerance,
-            is_of_hermite(basis) ? kMostIntervalsAsked : kMostIntervals);
+        double reached = 0;
+        const int finest = intervals_in_time(generator(), times_, basis, tolerance,
+                                             kMostIntervalsAsked, &reached);
+        if (reached > tolerance) {
+            warn_(fmt::format(
+                "{}: curves are up to {:.2g} cm off their strands, not {:.2g} as asked "
+                "for: a strand has at most {} intervals",
+                own.name, reached, tolerance, finest));
+        }
         return std::make_shared<const StrandClasses>(
             all_alike ? StrandClasses{{finest}}
                       : classes_in_time(generator(), times_, basis, tolerance, finest));

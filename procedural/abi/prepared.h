@@ -1,7 +1,9 @@
 #pragma once
 // A groom that is open: what all handles on the same source share.
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -27,15 +29,18 @@ struct GuideArrays {
     std::vector<double> fit_rms;      ///< [guides], or empty
 };
 
-/// Where the search for intervals ends: a polyline needs many.
+/// Where the search for intervals ends that a host's own error takes.
 inline constexpr int kMostIntervalsAsked = 1024;
 
 /// Read by any number of threads.
 class Prepared {
   public:
-    /// Loads, fits, places and cuts. Throws InputError, Cancelled.
+    using Warn = std::function<void(const std::string& text)>;
+
+    /// Loads, fits, places and cuts. `warn` is told, from any thread and as long as this
+    /// lives, what later calls cannot keep. Throws InputError, Cancelled.
     Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
-             const StageCallback& stage);
+             const StageCallback& stage, Warn warn);
 
     const ChunkedGroom& groom() const { return groom_; }
     const Generator& generator() const { return groom_.generator; }
@@ -56,6 +61,7 @@ class Prepared {
     std::size_t bytes() const;
 
   private:
+    Warn warn_;
     ChunkedGroom groom_;
     GroomTimes times_;
     GuideArrays arrays_;
