@@ -29,6 +29,7 @@ struct GroomSource {
 struct SourcedGroom {
     Groom groom;
     MotionSettings motion;  ///< of its head
+    std::string text;       ///< of the TOML as it was read; empty where there is none
 };
 
 /// The groom that a file of strands or guides is by itself.

@@ -117,7 +117,7 @@ typedef struct lancret_strands {
     int basis; /* of the points: LANCRET_BSPLINE or CATMULL_ROM; LINEAR's are taken as
                 * samples of a smooth strand, which is CATMULL_ROM too */
     lancret_u32 strands;
-    const lancret_u32* counts; /* [strands], points of each, >= 2 */
+    const lancret_u32* counts; /* [strands], points of each, >= 2, of B-splines >= 4 */
     const float* points;       /* [sum of counts][3], root first */
 } lancret_strands;
 typedef struct lancret_mesh {
@@ -137,7 +137,8 @@ typedef struct lancret_source {
                          * else the current one */
     const lancret_parameter* parameters;
     size_t parameter_count;
-    const lancret_strands* strands; /* in place of the groom's file, or null */
+    const lancret_strands* strands; /* in place of the groom's file, or null; not beside
+                                     * a cache of guides */
     const lancret_mesh* scalp;      /* in place of the scalp's file, or null */
     lancret_u32 chunk_strands;      /* at most so many strands a chunk; 0: 4096 */
 } lancret_source;

@@ -12,14 +12,17 @@
 
 namespace lancret {
 
+std::filesystem::path cache_of(const Groom& groom) {
+    if (!groom.guides_file.empty()) return groom.guides_file;
+    return groom.strands_file.extension() == ".h5" ? groom.strands_file
+                                                   : std::filesystem::path();
+}
+
 GroomTimes groom_times(const Groom& groom, ScalpPoseAt pose_at) {
     GroomTimes out;
     out.pose_at = std::move(pose_at);
-    const bool named = !groom.guides_file.empty();
-    if (named || groom.strands_file.extension() == ".h5") {
-        out.cache = named ? groom.guides_file : groom.strands_file;
-        out.info = guide_cache_info(out.cache);
-    }
+    out.cache = cache_of(groom);
+    if (out.moves()) out.info = guide_cache_info(out.cache);
     return out;
 }
 

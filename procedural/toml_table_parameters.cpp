@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "guides/errors.h"
-#include "procedural/toml_depth.h"
 #include "procedural/toml_table_node.h"
+#include "procedural/toml_text.h"
 
 namespace lancret {
 

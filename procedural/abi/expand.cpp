@@ -1,5 +1,6 @@
 // Chunks into a sink, or into the host's own memory; and the boxes that hold them.
 
+#include <cstdint>
 #include <new>
 
 #include "procedural/abi/bound.h"
@@ -59,6 +60,12 @@ lancret_status lancret_chunk_write(const lancret_chunk* bound,
     if (!bound) return LANCRET_BAD_CALL;
     return run(bound->groom->context, [&] {
         const auto out = read_sized(buffers, "lancret_curves and its size");
+        for (const float* const* arrays : {out.positions, out.tangents, out.normals}) {
+            for (std::size_t t = 0; arrays && t < bound->own.request.frames.size(); ++t) {
+                require(reinterpret_cast<std::uintptr_t>(arrays[t]) % 16 == 0,
+                        "lancret_curves: an array is not aligned to 16 bytes");
+            }
+        }
         const WorkspaceLoan workspace(bound->groom->context.workspaces);
         write_chunk(*bound->groom->own, bound->own, out, *workspace);
     });

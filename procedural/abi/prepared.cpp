@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "guides/errors.h"
 #include "procedural/emission.h"
 
 namespace lancret::abi {
@@ -11,9 +12,11 @@ namespace lancret::abi {
 Prepared::Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
                    const StageCallback& stage, Warn warn)
     : warn_(std::move(warn)),
+      cache_(stamp_of(cache_of(sourced.groom))),  // before anything of it is read
       groom_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
       times_(groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom))) {
     if (times_.moves()) prepare_frames(groom_.generator, times_);
+    expect_same_cache();
     const GroomGuides& source = generator().source;
     for (const Mat3& frame : source.guides.root_frames) {
         for (int r = 0; r < 3; ++r) {
@@ -21,6 +24,11 @@ Prepared::Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
         }
     }
     for (const FitReport& fit : source.fits) arrays_.fit_rms.push_back(fit.rms);
+}
+
+void Prepared::expect_same_cache() const {
+    if (!times_.moves() || stamp_of(times_.cache) == cache_) return;
+    throw InputError(times_.cache.string() + ": has changed since it was opened");
 }
 
 double Prepared::frame_at(double time) const {
@@ -31,12 +39,14 @@ double Prepared::frame_at(double time) const {
 std::shared_ptr<const GuidePose> Prepared::pose(
     double frame, const std::shared_ptr<const StrandClasses>& classes) const {
     return poses_.get({frame, classes.get()}, [&] {
+        expect_same_cache();
         const GroomGuides& source = generator().source;
         const bool moves = times_.moves();
         auto out = std::make_shared<GuidePose>();
         out->classes = classes;
         out->guides =
             moves ? guides_at(times_, source.places, frame) : generator().source.guides;
+        expect_same_cache();
         // No children yet: the guides' normals alone.
         Binding none;
         none.guide_normals = source.normals;
@@ -64,6 +74,7 @@ std::shared_ptr<const StrandClasses> Prepared::classes(CurveBasis basis, float m
                           : generator().classes);
         }
         const double tolerance = as_groom ? own.tolerance : double(max_error);
+        expect_same_cache();
         double reached = 0;
         const int finest = intervals_in_time(generator(), times_, basis, tolerance,
                                              kMostIntervalsAsked, &reached);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "procedural/abi/file_stamp.h"
 #include "procedural/abi/shared_by_key.h"
 #include "procedural/chunked_groom.h"
 #include "procedural/groom_source.h"
@@ -61,7 +62,12 @@ class Prepared {
     std::size_t bytes() const;
 
   private:
+    /// Frames are read when they are wanted: of a cache that is still the one that was
+    /// opened. Throws InputError where it is not.
+    void expect_same_cache() const;
+
     Warn warn_;
+    FileStamp cache_;
     ChunkedGroom groom_;
     GroomTimes times_;
     GuideArrays arrays_;

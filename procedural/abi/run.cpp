@@ -100,8 +100,12 @@ void log(const lancret_context& context, int level, const std::string& text) {
 }
 
 lancret_status run(lancret_context& context, WorkRef work, std::string* error) noexcept {
-    const auto tell = [&](lancret_status status, const char* text) noexcept {
+    const auto tell = [&](lancret_status status, const char* what) noexcept {
         try {
+            std::string text = what;
+            // One line, whatever names there are in it.
+            std::ranges::replace_if(
+                text, [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
             if (error) *error = text;
             if (status != LANCRET_CANCELLED) log(context, LANCRET_LOG_ERROR, text);
         } catch (...) {  // no memory for the words: the status says enough

@@ -1,8 +1,10 @@
-#include "procedural/toml_depth.h"
+#include "procedural/toml_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 
 #include "guides/errors.h"
 
@@ -31,6 +33,21 @@ std::size_t behind_string(std::string_view text, std::size_t at) {
 }
 
 }  // namespace
+
+std::string toml_file_text(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        throw InputError(fmt::format("{}: is a folder, not a groom", path.string()));
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(fmt::format("{}: cannot be opened", path.string()));
+    std::ostringstream text;
+    if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+    if (file.bad() || text.fail()) {
+        throw InputError(fmt::format("{}: cannot be read", path.string()));
+    }
+    return text.str();
+}
 
 void check_toml_depth(std::string_view text, const std::string& name) {
     const auto refuse = [&](std::size_t at, std::string_view what, int most) {
