@@ -63,7 +63,8 @@ enum {
 
 enum { LANCRET_LOG_INFO = 0, LANCRET_LOG_WARNING = 1, LANCRET_LOG_ERROR = 2 };
 
-/* Callbacks come from any thread, several at once. Any of them may be null. */
+/* Callbacks come from any thread, several at once. Any of them may be null. The error of
+ * a call is logged on the thread that calls, before the call returns. */
 typedef struct lancret_host {
     size_t size;
     void* user; /* handed to every callback */
