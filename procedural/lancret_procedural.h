@@ -91,7 +91,7 @@ LANCRET_API int lancret_abi_version(void);
  * LANCRET_BAD_CALL. `host` may be null, and is copied. */
 LANCRET_API lancret_status lancret_create(int abi_version, const lancret_host* host,
                                           lancret_context** context);
-/* Grooms of the context must be closed before. */
+/* Grooms and chunks of the context must be closed before. */
 LANCRET_API void lancret_destroy(lancret_context* context);
 
 /* ---- grooms --------------------------------------------------------------------- */
@@ -176,7 +176,9 @@ typedef struct lancret_info {
     float cm_per_unit;           /* of the scene's unit */
     float up[3];
     double load_seconds, fit_seconds, bind_seconds;
-    size_t bytes; /* kept while the groom is open, for all that share it */
+    size_t bytes; /* kept while the groom is open, for all that share it; the guides at the
+                   * times asked for last, 16 of them or as many as a call had, come to
+                   * that */
     int frames;   /* of its cache; 0: nothing moves */
     int basis;    /* that the groom asks for: LANCRET_BSPLINE or LANCRET_HERMITE */
     int shape;    /* LANCRET_ANY_SHAPE, ... */
@@ -278,7 +280,7 @@ LANCRET_API lancret_status lancret_expand(const lancret_groom* groom, lancret_u3
                                           lancret_sink sink, void* user);
 
 /* The same into the host's own memory, in steps: bind a chunk, ask for its sizes, give
- * buffers, free it (before its groom). Any number of times, in any order, chunks side by
+ * buffers, free it; its groom may be closed before. Any number of times, in any order, chunks side by
  * side. */
 typedef struct lancret_chunk lancret_chunk;
 LANCRET_API lancret_status lancret_chunk_open(const lancret_groom* groom,

@@ -49,6 +49,7 @@ struct ChunkArrays {
 }  // namespace lancret::abi
 
 struct lancret_chunk {
-    const lancret_groom* groom;
+    lancret_context& context;
+    std::shared_ptr<const lancret::abi::Prepared> groom;
     lancret::abi::BoundChunk own;
 };

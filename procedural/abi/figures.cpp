@@ -73,18 +73,17 @@ using namespace lancret::abi;
 lancret_status lancret_get_chunk_info(const lancret_chunk* bound,
                                       lancret_chunk_info* info) {
     if (!bound) return LANCRET_BAD_CALL;
-    return run(bound->groom->context,
+    return run(bound->context,
                [&] { write_sized(info, info_of(bound->own), "lancret_chunk_info"); });
 }
 
 lancret_status lancret_chunk_figures(const lancret_chunk* bound, int figure,
                                      std::size_t time, float* values) {
     if (!bound) return LANCRET_BAD_CALL;
-    return run(bound->groom->context, [&] {
+    return run(bound->context, [&] {
         require(values, "values");
         require(figure >= LANCRET_LENGTH_ERROR && figure <= LANCRET_REGION, "figure");
         require(time < bound->own.request.frames.size(), "there is no such time");
-        std::ranges::copy(figures_of(*bound->groom->own, bound->own, figure, time),
-                          values);
+        std::ranges::copy(figures_of(*bound->groom, bound->own, figure, time), values);
     });
 }

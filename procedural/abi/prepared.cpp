@@ -16,6 +16,9 @@ Prepared::Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
       groom_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
       times_(groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom))) {
     if (times_.moves()) prepare_frames(groom_.generator, times_);
+    // Copied, fitted and placed.
+    groom_.generator.groom.own_strands.reset();
+    groom_.generator.groom.own_scalp.reset();
     expect_same_cache();
     const GroomGuides& source = generator().source;
     for (const Mat3& frame : source.guides.root_frames) {
@@ -99,6 +102,11 @@ std::size_t Prepared::bytes() const {
     out += of(source.guides.root_positions) + of(source.guides.root_frames) +
            of(source.guides.segment_lengths) + of(source.guides.curvatures);
     out += of(source.grown_roots) + of(source.grown_tangents) + of(source.normals);
+    const GuideProfiles<float>& profiles = generator().profiles;
+    out += of(profiles.intervals) + of(profiles.joints) + of(profiles.root_frames) +
+           of(profiles.lengths) + of(profiles.positions) + of(profiles.frames) +
+           of(profiles.curvatures) + of(profiles.bishop) + of(profiles.spines) +
+           of(profiles.advances);
     const auto of_mesh = [&](const TriangleMesh& mesh) {
         return of(mesh.positions) + of(mesh.triangles) + of(mesh.uvs);
     };

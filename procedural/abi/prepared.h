@@ -33,6 +33,9 @@ struct GuideArrays {
 /// Where the search for intervals ends that a host's own error takes.
 inline constexpr int kMostIntervalsAsked = 1024;
 
+/// Poses that are kept even for calls of one time.
+inline constexpr std::size_t kPosesKept = 16;
+
 /// Read by any number of threads.
 class Prepared {
   public:
@@ -50,7 +53,10 @@ class Prepared {
 
     /// A time as what is there at it: held where the cache ends, 0 where nothing moves.
     double frame_at(double time) const;
-    /// The last few of these are kept. Throws InputError, Cancelled.
+    /// Of a call that asks for so many times of each chunk, one after the other.
+    void expect_times(std::size_t times) const { poses_.keep_at_least(times); }
+    /// The last few of these are kept, or as many as were ever expected. Throws
+    /// InputError, Cancelled.
     std::shared_ptr<const GuidePose> pose(
         double frame, const std::shared_ptr<const StrandClasses>& classes) const;
     /// The numbers of intervals that keep curves of `basis` within `max_error` cm of the
@@ -71,7 +77,8 @@ class Prepared {
     ChunkedGroom groom_;
     GroomTimes times_;
     GuideArrays arrays_;
-    mutable SharedByKey<std::pair<double, const StrandClasses*>, GuidePose> poses_{16};
+    mutable SharedByKey<std::pair<double, const StrandClasses*>, GuidePose> poses_{
+        kPosesKept};
     mutable SharedByKey<std::tuple<CurveBasis, float, bool>, StrandClasses> classes_{64};
 };
 
