@@ -141,7 +141,8 @@ typedef struct lancret_source {
     const lancret_strands* strands; /* in place of the groom's file, or null; not beside
                                      * a cache of guides */
     const lancret_mesh* scalp;      /* in place of the scalp's file, or null */
-    lancret_u32 chunk_strands;      /* at most so many strands a chunk; 0: 4096 */
+    lancret_u32 chunk_strands;      /* at most so many strands a chunk, a million at most;
+                                     * 0: 4096 */
 } lancret_source;
 
 typedef struct lancret_groom lancret_groom;
@@ -176,9 +177,9 @@ typedef struct lancret_info {
     float cm_per_unit;           /* of the scene's unit */
     float up[3];
     double load_seconds, fit_seconds, bind_seconds;
-    size_t bytes; /* kept while the groom is open, for all that share it; the guides at the
-                   * times asked for last, 16 of them or as many as a call had, come to
-                   * that */
+    size_t bytes; /* kept while the groom is open, for all that share it; the guides at
+                   * the times asked for last, 16 of them or as many as a call had, come
+                   * to that */
     int frames;   /* of its cache; 0: nothing moves */
     int basis;    /* that the groom asks for: LANCRET_BSPLINE or LANCRET_HERMITE */
     int shape;    /* LANCRET_ANY_SHAPE, ... */
@@ -231,7 +232,8 @@ typedef struct lancret_options {
                           * says how far off curves are. Strands that need fewer points
                           * have fewer, but for those with normals and where the groom
                           * says strands.adapt = false */
-    double density; /* share of the strands that are grown, wider; 0: the groom's own */
+    double density; /* share of the strands that are grown, wider; 0: the groom's own.
+                     * Of this and of level of detail what is below 1e-6 is 1e-6 */
     double pixels;  /* that the chunk covers, for: */
     double strands_a_pixel; /* at most so many; 0: no level of detail */
     lancret_u32 attributes;
@@ -280,8 +282,8 @@ LANCRET_API lancret_status lancret_expand(const lancret_groom* groom, lancret_u3
                                           lancret_sink sink, void* user);
 
 /* The same into the host's own memory, in steps: bind a chunk, ask for its sizes, give
- * buffers, free it; its groom may be closed before. Any number of times, in any order, chunks side by
- * side. */
+ * buffers, free it; its groom may be closed before. Any number of times, in any order,
+ * chunks side by side. */
 typedef struct lancret_chunk lancret_chunk;
 LANCRET_API lancret_status lancret_chunk_open(const lancret_groom* groom,
                                               lancret_u32 chunk,
