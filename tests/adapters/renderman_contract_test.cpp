@@ -147,7 +147,7 @@ TEST(RendermanContract, AWrongStringIsRefusedWithItsPlace) {
         {"a.toml density=0", "[1e-06, 1]"},
         {"a.toml primvars=id,colour", "not 'colour'"},
         {"a.toml chunk_strands=1.5", "a whole number"},
-        {"a.toml chunk_strands=1000001", "[1, 1000000]"},
+        {"a.toml chunk_strands=1000001", "[1, 1e+06]"},
         {"a.toml unit=1 unit=2", "given twice"},
         {"'a.toml", "does not end"},
         {"'a.toml'x", "a space was expected"},
