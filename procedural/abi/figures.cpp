@@ -27,8 +27,8 @@ std::vector<float> figures_of(const Prepared& groom, const BoundChunk& bound, in
     const Groom& own = groom.generator().groom;
     const ExpandSettings settings = settings_of(groom, bound.request);
     const auto pose = groom.pose(bound.request.frames[time], bound.request.classes);
-    const Binding posed =
-        groom.times().moves() ? at_pose(groom, bound, *pose) : bound.binding;
+    PosedBinding binding(groom, bound);
+    const Binding& posed = binding.at(*pose);
     const ClassedGuides& classed = pose->classed;
     switch (figure) {
         case LANCRET_LENGTH_ERROR: {

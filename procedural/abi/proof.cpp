@@ -20,8 +20,8 @@ lancret_check check_of(const Prepared& groom, std::uint32_t chunk,
     const Request& request = bound.request;
     const Groom& own = groom.generator().groom;
     const auto pose = groom.pose(request.frames[0], request.classes);
-    const Binding posed =
-        groom.times().moves() ? at_pose(groom, bound, *pose) : bound.binding;
+    PosedBinding binding(groom, bound);
+    const Binding& posed = binding.at(*pose);
     const ExpandSettings settings = settings_of(groom, request);
     Curves curves;
     expand(posed, pose->classed, settings, curves);
