@@ -85,9 +85,9 @@ std::vector<std::uint32_t> child_regions(const Regions& regions,
         return out;
     }
     if (regions.strands.empty()) return {};
-    return nearest_regions(
-        regions, roots, children.size(),
-        [&](std::size_t i) -> Vec3 { return children.positions[i].cast<double>(); });
+    return nearest_regions(regions, roots, children.size(), [&](std::size_t i) -> Vec3 {
+        return children.positions[i].cast<double>();
+    });
 }
 
 std::size_t choose_for_regions(const Regions& regions, std::span<const Vec3> roots,

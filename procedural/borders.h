@@ -35,7 +35,7 @@ struct RootTree {
 /// nearest to it, or that of the nearest of the groom's strands.
 struct Regions {
     std::optional<RegionMap> map;
-    std::vector<std::uint32_t> strands;  ///< [strands that grow]; empty: all are one
+    std::vector<std::uint32_t> strands;      ///< [strands that grow]; empty: all are one
     std::shared_ptr<const RootTree> tree{};  ///< their roots; none: made when asked
 };
 

@@ -105,8 +105,43 @@ double emission_distance(std::span<const HelixState<float>> states, float ds,
     return worst;
 }
 
+namespace {
+
+struct Farthest {
+    double distance = 0;  ///< cm, from the emitted curve to the strand
+    std::size_t child = 0;
+};
+
+/// The first of those that are farthest off, among children first, first + 1, ...,
+/// last - 1.
+Farthest farthest_child(const Binding& binding, const GuideProfiles<float>& profiles,
+                        Blend blend, CurveBasis basis, std::size_t first,
+                        std::size_t last) {
+    using Range = tbb::blocked_range<std::size_t>;
+    const auto farther = [](const Farthest& a, const Farthest& b) {
+        const bool second =
+            b.distance > a.distance || (b.distance == a.distance && b.child < a.child);
+        return second ? b : a;
+    };
+    return cancellable_reduce(
+        Range(first, last), Farthest{0, first},
+        [&](const Range& range, Farthest worst) {
+            std::vector<HelixState<float>> states(std::size_t(profiles.count) + 1);
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                synthesize_child<float>(binding, profiles, blend, i, states);
+                const float ds = binding.lengths[i] / float(profiles.count);
+                worst = farther(
+                    worst, {emission_distance(states, ds, basis, ends_of(blend)), i});
+            }
+            return worst;
+        },
+        farther);
+}
+
+}  // namespace
+
 int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
-                     double tolerance, CurveBasis basis, int most) {
+                     double tolerance, CurveBasis basis, int most, double* reached) {
     double turn = 0;
     for (std::size_t i = 0; i < guides.curvatures.size(); ++i) {
         turn = std::max(turn, guides.curvatures[i].norm() * guides.segment_lengths[i]);
@@ -122,29 +157,34 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
     }
     int n = guides.segments * std::max(1, int(std::ceil(turn / kMostTurn)));
     const std::size_t sample = std::min(binding.size(), kSampledChildren);
-    using Range = tbb::blocked_range<std::size_t>;
+    const double aim = kSampleShare * tolerance;
+    Farthest farthest;
     for (;;) {
         const auto profiles = guide_profiles<float>(guides, n);
-        const double farthest = cancellable_reduce(
-            Range(0, sample), 0.0,
-            [&](const Range& range, double worst) {
-                std::vector<HelixState<float>> states(n + 1);
-                for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                    synthesize_child<float>(binding, profiles, blend, i, states);
-                    const float ds = binding.lengths[i] / float(n);
-                    worst = std::max(
-                        worst, emission_distance(states, ds, basis, ends_of(blend)));
-                }
-                return worst;
-            },
-            [](double a, double b) { return std::max(a, b); });
-        const double aim = kSampleShare * tolerance;
-        if (n >= most || farthest <= aim) return n;
-        // A polyline is off by kappa ds^2 / 8 and may need hundreds.
-        const double more =
-            basis == CurveBasis::linear ? n * (std::sqrt(farthest / aim) - 1) : 0;
-        n += guides.segments *
-             std::max(1, int(std::ceil(std::min(more, double(most)) / guides.segments)));
+        const auto among = [&](std::size_t first, std::size_t last) {
+            return farthest_child(binding, profiles, blend, basis, first, last);
+        };
+        // The child that was too far off before most likely is again, and one is enough.
+        // A polyline's distance is asked for below.
+        const std::size_t worst = farthest.child;
+        const bool one_is_enough = farthest.distance > aim && n < most &&
+                                   basis != CurveBasis::linear &&
+                                   among(worst, worst + 1).distance > aim;
+        if (!one_is_enough) farthest = among(0, sample);
+        if (n >= most || farthest.distance <= aim) {
+            if (reached) *reached = farthest.distance;
+            return n;
+        }
+        // A polyline is off by kappa ds^2 / 8 and may need hundreds. Beyond those that
+        // grooms need by themselves a sixteenth more or less is no matter.
+        const double more = basis == CurveBasis::linear
+                                ? n * (std::sqrt(farthest.distance / aim) - 1)
+                            : n < kMostIntervals ? 0
+                                                 : n / 16;
+        const auto segments = [&](double count) {
+            return guides.segments * std::max(1, int(std::ceil(count / guides.segments)));
+        };
+        n = std::min(n + segments(std::min(more, double(most))), segments(most));
     }
 }
 

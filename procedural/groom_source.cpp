@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "guides/errors.h"
 #include "guides/guide_cache.h"
+#include "procedural/toml_text.h"
 
 namespace lancret {
 
@@ -38,11 +41,11 @@ SourcedGroom read_groom_source(const GroomSource& source) {
                              : from_text || by_itself ? source.path.string()
                                                       : file.string();
     const std::filesystem::path folder =
-        source.folder.empty() ? source.path.parent_path() : source.folder;
-    TomlTable toml = from_text
-                         ? TomlTable::from_text(source.text.value_or(""), name, folder)
-                     : by_itself ? TomlTable::from_text("", name)
-                                 : TomlTable::from_file(file);
+        from_text && !source.folder.empty() ? source.folder : file.parent_path();
+    std::string text = from_text   ? source.text.value_or("")
+                       : by_itself ? std::string()
+                                   : toml_file_text(file);
+    TomlTable toml = TomlTable::from_text(text, name, folder);
     for (const GroomParameter& parameter : source.parameters) {
         if (parameter.text) {
             toml.lay_over(parameter.name, *parameter.text);
@@ -50,7 +53,7 @@ SourcedGroom read_groom_source(const GroomSource& source) {
             toml.lay_over(parameter.name, parameter.number);
         }
     }
-    SourcedGroom out{read_groom(toml, name), {}};
+    SourcedGroom out{read_groom(toml, name), {}, std::move(text)};
     Groom& groom = out.groom;
     out.motion = read_motion(toml.table("motion"), groom.scene.centimetres_per_unit());
     for (const std::string_view key : kOthersTables) toml.leave(key);
@@ -59,6 +62,11 @@ SourcedGroom read_groom_source(const GroomSource& source) {
         groom.strands_file = source.path;
     } else if (cache) {
         groom.guides_file = source.path;
+    }
+    if (source.strands && !groom.guides_file.empty()) {
+        throw InputError(fmt::format(
+            "{}: has guides of its own, {}, expected none beside the host's strands",
+            name, groom.guides_file.string()));
     }
     groom.own_strands = source.strands;
     groom.own_scalp = source.scalp;

@@ -30,6 +30,7 @@ struct GroomSource {
 struct SourcedGroom {
     Groom groom;
     MotionSettings motion;  ///< of its head
+    std::string text;       ///< of the TOML as it was read; empty where there is none
 };
 
 /// The tables of a groom's TOML that say what grows; the others belong to who shows it.

@@ -17,6 +17,9 @@ struct GroomTimes {
     int last() const { return info.first_frame + (info.frames - 1); }
 };
 
+/// The cache of guides that a groom names, or nothing.
+std::filesystem::path cache_of(const Groom& groom);
+
 /// Throws InputError where the groom's cache cannot be read.
 GroomTimes groom_times(const Groom& groom, ScalpPoseAt pose_at);
 

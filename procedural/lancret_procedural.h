@@ -37,11 +37,7 @@ extern "C" {
 #endif
 
 #ifndef LANCRET_API
-#ifdef _WIN32
-#define LANCRET_API __declspec(dllimport)
-#else
 #define LANCRET_API
-#endif
 #endif
 
 /* Raised when an older caller would no longer work. */
@@ -59,11 +55,10 @@ enum {
     LANCRET_FAILED = 5         /* anything else: a mistake in Lancret */
 };
 
-/* ---- the host ------------------------------------------------------------------- */
-
 enum { LANCRET_LOG_INFO = 0, LANCRET_LOG_WARNING = 1, LANCRET_LOG_ERROR = 2 };
 
-/* Callbacks come from any thread, several at once. Any of them may be null. */
+/* Callbacks come from any thread, several at once. Any of them may be null. The error of
+ * a call is logged on the thread that calls, before the call returns. */
 typedef struct lancret_host {
     size_t size;
     void* user; /* handed to every callback */
@@ -90,10 +85,8 @@ LANCRET_API int lancret_abi_version(void);
  * LANCRET_BAD_CALL. `host` may be null, and is copied. */
 LANCRET_API lancret_status lancret_create(int abi_version, const lancret_host* host,
                                           lancret_context** context);
-/* Grooms of the context must be closed before. */
+/* Grooms and chunks of the context must be closed before. */
 LANCRET_API void lancret_destroy(lancret_context* context);
-
-/* ---- grooms --------------------------------------------------------------------- */
 
 /* A value laid over the groom's own: name "strands.count", "guides.file", ... as in its
  * TOML; text where it is a string, else null and number (booleans 0 and 1; a seed beyond
@@ -116,10 +109,9 @@ enum {
 };
 typedef struct lancret_strands {
     size_t size;
-    int basis; /* of the points: LANCRET_BSPLINE or CATMULL_ROM; LINEAR's are taken as
-                * samples of a smooth strand, which is CATMULL_ROM too */
+    int basis; /* of the points: LANCRET_BSPLINE, CATMULL_ROM, or LINEAR, which is that */
     lancret_u32 strands;
-    const lancret_u32* counts; /* [strands], points of each, >= 2 */
+    const lancret_u32* counts; /* [strands], points of each, >= 2, of B-splines >= 4 */
     const float* points;       /* [sum of counts][3], root first */
 } lancret_strands;
 typedef struct lancret_mesh {
@@ -139,9 +131,9 @@ typedef struct lancret_source {
                          * else the current one */
     const lancret_parameter* parameters;
     size_t parameter_count;
-    const lancret_strands* strands; /* in place of the groom's file, or null */
+    const lancret_strands* strands; /* in place of the groom's file, not of a cache */
     const lancret_mesh* scalp;      /* in place of the scalp's file, or null */
-    lancret_u32 chunk_strands;      /* at most so many strands a chunk; 0: 4096 */
+    lancret_u32 chunk_strands;      /* at most, up to a million; 0: 4096 */
 } lancret_source;
 
 typedef struct lancret_groom lancret_groom;
@@ -176,7 +168,8 @@ typedef struct lancret_info {
     float cm_per_unit;           /* of the scene's unit */
     float up[3];
     double load_seconds, fit_seconds, bind_seconds;
-    size_t bytes; /* kept while the groom is open, for all that share it */
+    size_t bytes; /* kept while the groom is open, for all that share it; guides of the 16
+                   * times asked for last, or as many as a call had, come to that */
     int frames;   /* of its cache; 0: nothing moves */
     int basis;    /* that the groom asks for: LANCRET_BSPLINE or LANCRET_HERMITE */
     int shape;    /* LANCRET_ANY_SHAPE, ... */
@@ -204,8 +197,6 @@ LANCRET_API lancret_status lancret_is_still(const lancret_groom* groom,
                                             const double* times, size_t time_count,
                                             int* still);
 
-/* ---- chunks --------------------------------------------------------------------- */
-
 /* What a chunk is asked for. Attributes: */
 enum {
     LANCRET_TANGENTS = 1, /* a point: along the strand; Hermite curves have them always */
@@ -224,10 +215,11 @@ typedef struct lancret_options {
     size_t time_count;   /* at most 256 */
     int basis;           /* LANCRET_BSPLINE, ... */
     float max_error;     /* that the curves may be off the strand, 1e-4 cm at least, as
-                          * measured on thousands of strands; 0: the groom's own. Strands
-                          * that need fewer points have fewer, but for those with normals
-                          * and where the groom says strands.adapt = false */
-    double density; /* share of the strands that are grown, wider; 0: the groom's own */
+                          * measured on thousands of strands, or 1024 intervals and a
+                          * warning; 0: the groom's own. Strands that need fewer points
+                          * have fewer, but for those with normals and where the groom
+                          * says strands.adapt = false */
+    double density; /* share of strands grown, wider, 1e-6 at least; 0: the groom's own */
     double pixels;  /* that the chunk covers, for: */
     double strands_a_pixel; /* at most so many; 0: no level of detail */
     lancret_u32 attributes;
@@ -245,8 +237,7 @@ typedef struct lancret_curves {
                                     * derivative by the segment, w that of the radius;
                                     * else unit, w 0 */
     const float* const* normals;   /* [times] -> [points][4], w 0; of B-splines and
-                                    * Catmull-Rom curves control points, hardly unit at
-                                    * the ends */
+                                    * Catmull-Rom hardly unit beyond the ends */
     const lancret_u32* ids;        /* [strands] */
     const float* root_uv;          /* [strands][2]; 0 0 without a scalp */
     const float* lengths;          /* [strands] */
@@ -276,8 +267,8 @@ LANCRET_API lancret_status lancret_expand(const lancret_groom* groom, lancret_u3
                                           lancret_sink sink, void* user);
 
 /* The same into the host's own memory, in steps: bind a chunk, ask for its sizes, give
- * buffers, free it (before its groom). Any number of times, in any order, chunks side by
- * side. */
+ * buffers, free it; its groom may be closed before. Any number of times, in any order,
+ * chunks side by side. */
 typedef struct lancret_chunk lancret_chunk;
 LANCRET_API lancret_status lancret_chunk_open(const lancret_groom* groom,
                                               lancret_u32 chunk,
@@ -302,8 +293,6 @@ typedef struct lancret_chunk_info {
 } lancret_chunk_info;
 LANCRET_API lancret_status lancret_get_chunk_info(const lancret_chunk* bound,
                                                   lancret_chunk_info* info);
-
-/* ---- proof and figures ---------------------------------------------------------- */
 
 typedef struct lancret_check {
     size_t size;

@@ -13,14 +13,17 @@
 
 namespace lancret {
 
+std::filesystem::path cache_of(const Groom& groom) {
+    if (!groom.guides_file.empty()) return groom.guides_file;
+    return groom.strands_file.extension() == ".h5" ? groom.strands_file
+                                                   : std::filesystem::path();
+}
+
 GroomTimes groom_times(const Groom& groom, ScalpPoseAt pose_at) {
     GroomTimes out;
     out.pose_at = std::move(pose_at);
-    const bool named = !groom.guides_file.empty();
-    if (named || groom.strands_file.extension() == ".h5") {
-        out.cache = named ? groom.guides_file : groom.strands_file;
-        out.info = guide_cache_info(out.cache);
-    }
+    out.cache = cache_of(groom);
+    if (out.moves()) out.info = guide_cache_info(out.cache);
     return out;
 }
 
@@ -65,20 +68,24 @@ StrandClasses classes_in_time(const Generator& generator, const GroomTimes& time
 }
 
 int intervals_in_time(const Generator& generator, const GroomTimes& times,
-                      CurveBasis basis, double tolerance, int most) {
+                      CurveBasis basis, double tolerance, int most, double* reached) {
     const Blend blend = generator.groom.expand.blend;
+    double distance = 0;
     int out = intervals_within(generator.sample, generator.source.guides, blend,
-                               tolerance, basis, most);
+                               tolerance, basis, most, &distance);
+    double farthest = distance;
     each_measured_frame(
         generator, times, [&](int frame, const Guides& guides, const Binding& sample) {
             try {
-                out = std::max(
-                    out, intervals_within(sample, guides, blend, tolerance, basis, most));
+                out = std::max(out, intervals_within(sample, guides, blend, tolerance,
+                                                     basis, most, &distance));
+                farthest = std::max(farthest, distance);
             } catch (const InputError& error) {
                 throw InputError(fmt::format("{}: frame {}: {}", times.cache.string(),
                                              frame, error.what()));
             }
         });
+    if (reached) *reached = farthest;
     return out;
 }
 
@@ -166,7 +173,8 @@ bool same(const ScalpPose& a, const ScalpPose& b) {
 
 bool is_still(const GroomTimes& times, std::span<const MeshPoint> guide_places,
               std::span<const double> frames) {
-    const bool one = std::ranges::adjacent_find(frames, std::not_equal_to{}) == frames.end();
+    const bool one =
+        std::ranges::adjacent_find(frames, std::not_equal_to{}) == frames.end();
     if (!times.moves() || one) return true;
     const auto pose_at = [&](double frame) {
         return times.pose_at ? times.pose_at(frame) : ScalpPose();

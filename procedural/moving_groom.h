@@ -23,9 +23,11 @@ RestPlaces prepare_frames(Generator& generator, const GroomTimes& times);
 
 /// The number of intervals at which curves of `basis` stay within `tolerance` cm of the
 /// strands: at rest, and at frames spread over the cache. At most `most`, then further
-/// off. Throws InputError.
+/// off: `reached`, where it is not null, becomes the farthest that was seen, cm. Throws
+/// InputError.
 int intervals_in_time(const Generator& generator, const GroomTimes& times,
-                      CurveBasis basis, double tolerance, int most);
+                      CurveBasis basis, double tolerance, int most,
+                      double* reached = nullptr);
 
 /// How finely the children of each guide are cut so that curves of `basis` stay within
 /// `tolerance` cm, of at most `finest` intervals; measured at the same times.

@@ -4,12 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <numeric>
-#include <sstream>
 
 #include "guides/errors.h"
 #include "procedural/toml_table_node.h"
+#include "procedural/toml_text.h"
 
 namespace lancret {
 
@@ -47,6 +46,7 @@ std::optional<std::string_view> nearest_name(std::string_view word,
 
 TomlTable TomlTable::from_text(std::string_view text, std::string name,
                                const std::filesystem::path& folder) {
+    check_toml_depth(text, name);
     auto document = std::make_shared<TomlDocument>();
     document->name = std::move(name);
     document->folder = folder;
@@ -64,18 +64,7 @@ TomlTable TomlTable::from_text(std::string_view text, std::string name,
 }
 
 TomlTable TomlTable::from_file(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        throw InputError(fmt::format("{}: is a folder, not a groom", path.string()));
-    }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(fmt::format("{}: cannot be opened", path.string()));
-    std::ostringstream text;
-    if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
-    if (file.bad() || text.fail()) {
-        throw InputError(fmt::format("{}: cannot be read", path.string()));
-    }
-    return from_text(text.str(), path.string(), path.parent_path());
+    return from_text(toml_file_text(path), path.string(), path.parent_path());
 }
 
 TomlTable TomlTable::table(std::string_view key) const {

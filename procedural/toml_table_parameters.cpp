@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "guides/errors.h"
 #include "procedural/toml_table_node.h"
+#include "procedural/toml_text.h"
 
 namespace lancret {
 
@@ -41,6 +43,11 @@ void TomlTable::lay_value_over(std::string_view name, const T& value) {
         throw InputError(
             fmt::format("{}: parameter '{}': {}", node_->document->name, name, what));
     };
+    if (std::ranges::count(name, '.') > kMostTomlDots) {
+        name = name.substr(0, 40);
+        refuse(fmt::format("goes on with too many dots, expected at most {}",
+                           kMostTomlDots));
+    }
     toml::table* table = &node_->document->root;
     std::string_view rest = name;
     for (std::size_t dot; (dot = rest.find('.')) != std::string_view::npos;) {

@@ -148,9 +148,6 @@ std::string picture_fault(const Include& include) {
         "toml_table",         "stopwatch",        "bind_report",
         "check_strand",       "check_tolerances", "check_figures"};
     const std::string folder = "procedural/";
-    const auto of_picture = [&](const char* start) {
-        return begins(include.file, start);
-    };
     const auto shared = [&](const char* name) {
         return include.name == folder + name + ".h";
     };

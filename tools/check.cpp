@@ -12,6 +12,7 @@
 #include "procedural/check_frames.h"
 #include "procedural/check_report.h"
 #include "procedural/class_choice.h"
+#include "procedural/moving_groom.h"
 #include "tools/command.h"
 #include "tools/frames.h"
 #include "tools/generate.h"

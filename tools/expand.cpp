@@ -11,6 +11,7 @@
 #include "guides/mitsuba_file.h"
 #include "procedural/child_strands.h"
 #include "procedural/chunks.h"
+#include "procedural/moving_groom.h"
 #include "tools/command.h"
 #include "tools/expand_chunks.h"
 #include "tools/frames.h"

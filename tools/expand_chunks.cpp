@@ -7,6 +7,7 @@
 #include "guides/errors.h"
 #include "procedural/bind_report.h"
 #include "procedural/chunked_groom.h"
+#include "procedural/moving_groom.h"
 #include "tools/generate.h"
 #include "tools/progress.h"
 #include "tools/stats.h"

@@ -29,9 +29,9 @@ Generator run_generator(const Groom& groom) {
     std::uint64_t points = 0;
     const std::vector<std::uint32_t> sizes = class_sizes(out.classes, out.binding);
     for (std::size_t c = 0; c < sizes.size(); ++c) {
-        points += std::uint64_t(sizes[c]) *
-                  control_points_of(groom.expand.basis,
-                                    std::uint32_t(out.classes.counts[c]));
+        points +=
+            std::uint64_t(sizes[c]) *
+            control_points_of(groom.expand.basis, std::uint32_t(out.classes.counts[c]));
     }
     check_points(groom, out.binding.size(), out.profiles.count, points);
     tell_warnings(out);

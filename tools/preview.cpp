@@ -198,14 +198,15 @@ int preview(const PreviewOptions& options) {
                         fmt::format("{}", views ? double(i + 1) : frame));
         }
         add_cost(cost, i == 0, total);
-        frames.push_back(
-            {{"frame", frame_json(frame)},
-             {"image", outputs[i].picture.string()},
-             {"times", times.frames},
-             {"still", still},
-             {"seconds",
-              {{"bind", cost.bind},
-               {"expand", cost.expand}, {"bvh", cost.bvh}, {"render", cost.render}}}});
+        frames.push_back({{"frame", frame_json(frame)},
+                          {"image", outputs[i].picture.string()},
+                          {"times", times.frames},
+                          {"still", still},
+                          {"seconds",
+                           {{"bind", cost.bind},
+                            {"expand", cost.expand},
+                            {"bvh", cost.bvh},
+                            {"render", cost.render}}}});
         print_picture(outputs[i].picture, stats, moments.front().curves.strands, cost);
         std::fflush(stdout);
     }

@@ -1,37 +1,113 @@
 // What the C interface costs: every chunk of a groom, bound and expanded, straight from
 // the library and through the plugin into a sink that looks at nothing.
 //
-// Arguments: 0 straight, 1 through the plugin. Peak memory is of the whole process and
-// only grows: run each by itself (--benchmark_filter) to compare it.
+// Arguments: 0 straight, 1 through the plugin; 0 a still groom, 1 one that moves, at
+// three times. The plugin has all of them in memory at once, as its sink wants. Peak
+// memory is of the whole process and only grows: run each by itself (--benchmark_filter)
+// to compare it.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "guides/guide_cache.h"
 #include "procedural/chunked_groom.h"
 #include "procedural/groom_source.h"
 #include "procedural/lancret_procedural.h"
+#include "procedural/moving_groom.h"
 
 namespace lancret {
 namespace {
 
 const std::string kGroom = "[strands]\ncount = 200000\n";
 
+/// Three times of a shutter, of a groom whose head turns from frame 1 to 2; a still groom
+/// has one.
+const std::vector<double> kTimes[] = {{0}, {1.25, 1.5, 1.75}};
+
+/// The cache of the moving groom, gone when this is.
+struct MovingCache {
+    std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                   ("lancret_plugin_bench_" + std::to_string(getpid()));
+    std::filesystem::path cache = folder / "turn.h5";
+
+    MovingCache() {
+        std::filesystem::create_directory(folder);
+        const std::filesystem::path toml = folder / "head.toml";
+        std::ofstream(toml) << kGroom
+                            << "[motion]\nkeys = [{frame = 1}, {frame = 2, "
+                               "move = [1, 0, 0], turn = [0, 15, 0]}]\n";
+        GroomSource source;
+        source.path = toml;
+        const SourcedGroom sourced = read_groom_source(source);
+        Guides guides = groom_guides(sourced.groom).guides;
+        const Guides rest = guides;
+        GuideCacheWriter writer(cache, {24, 1, toml.string()}, 2, &rest);
+        writer.add(rest);
+        const auto head =
+            std::get<RigidPose>(head_pose(sourced.motion, sourced.groom)(2));
+        for (std::size_t g = 0; g < guides.size(); ++g) {
+            guides.root_positions[g] = head * guides.root_positions[g];
+            guides.root_frames[g] = head.rotation * guides.root_frames[g];
+        }
+        writer.add(guides);
+        writer.finish();
+    }
+    ~MovingCache() { std::filesystem::remove_all(folder); }
+    MovingCache(const MovingCache&) = delete;
+    MovingCache& operator=(const MovingCache&) = delete;
+};
+
 double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-void straight(benchmark::State& run) {
+/// All that is the same in every chunk is made once, as the plugin does.
+void straight(benchmark::State& run, const MovingCache* moving) {
     GroomSource source;
-    source.text = kGroom;
-    const ChunkedGroom groom = make_chunked_groom(read_groom_source(source).groom);
-    const Generator& generator = groom.generator;
-    const ClassedGuides guides = rest_guides(generator);
+    if (moving) {
+        source.path = moving->cache;
+    } else {
+        source.text = kGroom;
+    }
+    const SourcedGroom sourced = read_groom_source(source);
+    ChunkedGroom groom = make_chunked_groom(sourced.groom);
+    Generator& generator = groom.generator;
+    const GroomTimes times =
+        groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom));
+    std::vector<ClassedGuides> guides;
+    std::vector<PosedScalp> scalps;
+    if (moving) {
+        Binding none;
+        none.guide_normals = generator.source.normals;
+        const RestPlaces rest = rest_places(none, generator.source);
+        prepare_frames(generator, times);
+        for (const double time : kTimes[1]) {
+            scalps.push_back(posed_scalp(rest, times.pose_at(time)));
+            pose_binding_on(none, rest, scalps.back());
+            guides.push_back(classed_guides(
+                guides_at(times, generator.source.places, time), generator.classes,
+                none.guide_normals, generator.groom.expand.blend));
+        }
+    } else {
+        guides.push_back(rest_guides(generator));
+    }
     Curves curves;
     for (auto _ : run) {
         for (std::size_t c = 0; c < groom.chunks.size(); ++c) {
-            const Binding binding = bind_chunk(groom, c, 1, generator.classes);
-            expand(binding, guides, generator.groom.expand, curves);
-            benchmark::DoNotOptimize(curves.points.data());
+            Binding binding = bind_chunk(groom, c, 1, generator.classes);
+            const RestPlaces rest =
+                moving ? rest_places(binding, generator.source) : RestPlaces();
+            for (std::size_t t = 0; t < guides.size(); ++t) {
+                if (moving) pose_binding_on(binding, rest, scalps[t]);
+                expand(binding, guides[t], generator.groom.expand, curves);
+                benchmark::DoNotOptimize(curves.points.data());
+            }
         }
     }
 }
@@ -41,12 +117,17 @@ lancret_status ignore(void*, const lancret_curves* curves) {
     return LANCRET_OK;
 }
 
-void through_plugin(benchmark::State& run) {
+void through_plugin(benchmark::State& run, const MovingCache* moving) {
     lancret_context* context = nullptr;
     lancret_groom* groom = nullptr;
     lancret_source source{};
     source.size = sizeof source;
-    source.text = kGroom.c_str();
+    const std::string path = moving ? moving->cache.string() : "";
+    if (moving) {
+        source.path = path.c_str();
+    } else {
+        source.text = kGroom.c_str();
+    }
     lancret_info info{};
     info.size = sizeof info;
     if (lancret_create(LANCRET_ABI_VERSION, nullptr, &context) != LANCRET_OK ||
@@ -58,6 +139,8 @@ void through_plugin(benchmark::State& run) {
     lancret_options options{};
     options.size = sizeof options;
     options.basis = LANCRET_BSPLINE;
+    options.times = kTimes[moving != nullptr].data();
+    options.time_count = kTimes[moving != nullptr].size();
     for (auto _ : run) {
         for (lancret_u32 c = 0; c < info.chunks; ++c) {
             if (lancret_expand(groom, c, &options, ignore, nullptr) != LANCRET_OK) {
@@ -70,8 +153,11 @@ void through_plugin(benchmark::State& run) {
 }
 
 void plugin_cost(benchmark::State& run) {
+    std::optional<MovingCache> cache;
+    if (run.range(1)) cache.emplace();
+    const MovingCache* moving = cache ? &*cache : nullptr;
     const double before = cpu_seconds();
-    run.range(0) == 0 ? straight(run) : through_plugin(run);
+    run.range(0) == 0 ? straight(run, moving) : through_plugin(run, moving);
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     // With loading, which both do once.
@@ -80,8 +166,7 @@ void plugin_cost(benchmark::State& run) {
 }
 
 BENCHMARK(plugin_cost)
-    ->Arg(0)
-    ->Arg(1)
+    ->ArgsProduct({{0, 1}, {0, 1}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();

@@ -18,11 +18,10 @@ ChunkBound reach_of(const Prepared& groom, std::uint32_t chunk, const Request& r
                                       groom.groom().chunks.of(chunk));
     roots.binding.guide_normals = generator.source.normals;
     Eigen::AlignedBox3f box;
+    PosedBinding posed(groom, roots);
     for (const double frame : request.frames) {
         const auto pose = groom.pose(frame, request.classes);
-        const Binding posed =
-            groom.times().moves() ? at_pose(groom, roots, *pose) : roots.binding;
-        for (const Vec3f& root : posed.roots.positions) box.extend(root);
+        for (const Vec3f& root : posed.at(*pose).roots.positions) box.extend(root);
         if (request.is_still()) break;
     }
     const float longest =
@@ -35,11 +34,10 @@ ChunkBound tight_bound(const Prepared& groom, const BoundChunk& bound) {
     const Request& request = bound.request;
     const ExpandSettings settings = settings_of(groom, request);
     ChunkBound out;
+    PosedBinding posed(groom, bound);
     for (const double frame : request.frames) {
         const auto pose = groom.pose(frame, request.classes);
-        const Binding posed =
-            groom.times().moves() ? at_pose(groom, bound, *pose) : bound.binding;
-        out.extend(chunk_bound(posed, pose->classed, settings));
+        out.extend(chunk_bound(posed.at(*pose), pose->classed, settings));
         if (request.is_still()) break;
     }
     return out;

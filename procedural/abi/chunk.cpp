@@ -179,11 +179,17 @@ lancret_curves sizes_of(const BoundChunk& bound) {
     return out;
 }
 
-Binding at_pose(const Prepared& groom, const BoundChunk& bound, const GuidePose& pose) {
-    Binding out = bound.binding;
-    pose_binding_on(out, rest_places(bound.binding, groom.generator().source),
-                    pose.scalp);
-    return out;
+PosedBinding::PosedBinding(const Prepared& groom, const BoundChunk& bound)
+    : still_(bound.binding) {
+    if (!groom.times().moves()) return;
+    rest_ = rest_places(bound.binding, groom.generator().source);
+    moved_ = bound.binding;
+}
+
+const Binding& PosedBinding::at(const GuidePose& pose) {
+    if (!moved_) return still_;
+    pose_binding_on(*moved_, rest_, pose.scalp);
+    return *moved_;
 }
 
 void write_chunk(const Prepared& groom, const BoundChunk& bound,
@@ -193,20 +199,14 @@ void write_chunk(const Prepared& groom, const BoundChunk& bound,
     if (out.arc_lengths) write_arc_lengths(bound, writable(out.arc_lengths));
     const std::size_t points = sizes_of(bound).points;
     const bool still = request.is_still() && all_of_first(out);
+    PosedBinding posed(groom, bound);
     for (std::size_t time = 0; time < request.frames.size(); ++time) {
         if (still && time > 0) {
             copy_time(out, points, time);
             continue;
         }
         const auto pose = groom.pose(request.frames[time], request.classes);
-        const auto write = [&](const Binding& posed) {
-            write_time(groom, request, points, posed, *pose, out, time, workspace);
-        };
-        if (!groom.times().moves()) {
-            write(bound.binding);
-        } else {
-            write(at_pose(groom, bound, *pose));
-        }
+        write_time(groom, request, points, posed.at(*pose), *pose, out, time, workspace);
     }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // A chunk from its binding to a host's arrays.
 
+#include <optional>
+
 #include "procedural/abi/request.h"
 
 namespace lancret::abi {
@@ -25,8 +27,18 @@ BoundChunk bind_request(const Prepared& groom, std::uint32_t chunk,
 /// What expansion is told.
 ExpandSettings settings_of(const Prepared& groom, const Request& request);
 
-/// The binding where the scalp is at that pose.
-Binding at_pose(const Prepared& groom, const BoundChunk& bound, const GuidePose& pose);
+/// A chunk's binding at one pose after another. Both it was made of must outlive it.
+class PosedBinding {
+  public:
+    PosedBinding(const Prepared& groom, const BoundChunk& bound);
+    /// The binding where the scalp is at that pose, until the next is asked for.
+    const Binding& at(const GuidePose& pose);
+
+  private:
+    const Binding& still_;
+    RestPlaces rest_;
+    std::optional<Binding> moved_;  ///< where the groom moves
+};
 
 /// All of lancret_curves but its pointers.
 lancret_curves sizes_of(const BoundChunk& bound);
@@ -49,6 +61,7 @@ struct ChunkArrays {
 }  // namespace lancret::abi
 
 struct lancret_chunk {
-    const lancret_groom* groom;
+    lancret_context& context;
+    std::shared_ptr<const lancret::abi::Prepared> groom;
     lancret::abi::BoundChunk own;
 };

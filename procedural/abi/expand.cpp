@@ -1,5 +1,6 @@
 // Chunks into a sink, or into the host's own memory; and the boxes that hold them.
 
+#include <cstdint>
 #include <new>
 
 #include "procedural/abi/bound.h"
@@ -33,7 +34,8 @@ lancret_status lancret_expand(const lancret_groom* groom, lancret_u32 chunk,
         const ChunkArrays arrays(bound, *workspace);
         write_chunk(own, bound, arrays.curves, *workspace);
         lancret::stop_if_cancelled();
-        const lancret_status status = sink(user, &arrays.curves);
+        lancret_status status = LANCRET_OK;
+        call_host([&] { status = sink(user, &arrays.curves); });
         if (status != LANCRET_OK) throw SinkEnded{status};
     });
 }
@@ -43,23 +45,30 @@ lancret_status lancret_chunk_open(const lancret_groom* groom, lancret_u32 chunk,
     if (bound) *bound = nullptr;
     if (!groom || !bound) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
-        *bound = new lancret_chunk{groom, bind_request(*groom->own, chunk, options)};
+        *bound = new lancret_chunk{groom->context, groom->own,
+                                   bind_request(*groom->own, chunk, options)};
     });
 }
 
 lancret_status lancret_chunk_sizes(const lancret_chunk* bound, lancret_curves* sizes) {
     if (!bound) return LANCRET_BAD_CALL;
-    return run(bound->groom->context,
+    return run(bound->context,
                [&] { write_sized(sizes, sizes_of(bound->own), "lancret_curves"); });
 }
 
 lancret_status lancret_chunk_write(const lancret_chunk* bound,
                                    const lancret_curves* buffers) {
     if (!bound) return LANCRET_BAD_CALL;
-    return run(bound->groom->context, [&] {
+    return run(bound->context, [&] {
         const auto out = read_sized(buffers, "lancret_curves and its size");
-        const WorkspaceLoan workspace(bound->groom->context.workspaces);
-        write_chunk(*bound->groom->own, bound->own, out, *workspace);
+        for (const float* const* arrays : {out.positions, out.tangents, out.normals}) {
+            for (std::size_t t = 0; arrays && t < bound->own.request.frames.size(); ++t) {
+                require(reinterpret_cast<std::uintptr_t>(arrays[t]) % 16 == 0,
+                        "lancret_curves: an array is not aligned to 16 bytes");
+            }
+        }
+        const WorkspaceLoan workspace(bound->context.workspaces);
+        write_chunk(*bound->groom, bound->own, out, *workspace);
     });
 }
 

@@ -27,8 +27,8 @@ std::vector<float> figures_of(const Prepared& groom, const BoundChunk& bound, in
     const Groom& own = groom.generator().groom;
     const ExpandSettings settings = settings_of(groom, bound.request);
     const auto pose = groom.pose(bound.request.frames[time], bound.request.classes);
-    const Binding posed =
-        groom.times().moves() ? at_pose(groom, bound, *pose) : bound.binding;
+    PosedBinding binding(groom, bound);
+    const Binding& posed = binding.at(*pose);
     const ClassedGuides& classed = pose->classed;
     switch (figure) {
         case LANCRET_LENGTH_ERROR: {
@@ -73,18 +73,17 @@ using namespace lancret::abi;
 lancret_status lancret_get_chunk_info(const lancret_chunk* bound,
                                       lancret_chunk_info* info) {
     if (!bound) return LANCRET_BAD_CALL;
-    return run(bound->groom->context,
+    return run(bound->context,
                [&] { write_sized(info, info_of(bound->own), "lancret_chunk_info"); });
 }
 
 lancret_status lancret_chunk_figures(const lancret_chunk* bound, int figure,
                                      std::size_t time, float* values) {
     if (!bound) return LANCRET_BAD_CALL;
-    return run(bound->groom->context, [&] {
+    return run(bound->context, [&] {
         require(values, "values");
         require(figure >= LANCRET_LENGTH_ERROR && figure <= LANCRET_REGION, "figure");
         require(time < bound->own.request.frames.size(), "there is no such time");
-        std::ranges::copy(figures_of(*bound->groom->own, bound->own, figure, time),
-                          values);
+        std::ranges::copy(figures_of(*bound->groom, bound->own, figure, time), values);
     });
 }

@@ -28,7 +28,11 @@ std::shared_ptr<const Prepared> prepare(lancret_context& context, const Source& 
             log(context, LANCRET_LOG_INFO,
                 fmt::format("{}: {}", sourced.groom.name, name));
         };
-        auto out = std::make_shared<const Prepared>(sourced, source.chunk_strands, stage);
+        const auto warn = [&context](const std::string& text) {
+            log(context, LANCRET_LOG_WARNING, text);
+        };
+        auto out =
+            std::make_shared<const Prepared>(sourced, source.chunk_strands, stage, warn);
         stop_if_cancelled();
         return out;
     };

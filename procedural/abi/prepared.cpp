@@ -1,16 +1,25 @@
 #include "procedural/abi/prepared.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "guides/errors.h"
 #include "procedural/emission.h"
 
 namespace lancret::abi {
 
 Prepared::Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
-                   const StageCallback& stage)
-    : groom_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
+                   const StageCallback& stage, Warn warn)
+    : warn_(std::move(warn)),
+      cache_(stamp_of(cache_of(sourced.groom))),  // before anything of it is read
+      groom_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
       times_(groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom))) {
     if (times_.moves()) prepare_frames(groom_.generator, times_);
+    // Copied, fitted and placed.
+    groom_.generator.groom.own_strands.reset();
+    groom_.generator.groom.own_scalp.reset();
+    expect_same_cache();
     const GroomGuides& source = generator().source;
     for (const Mat3& frame : source.guides.root_frames) {
         for (int r = 0; r < 3; ++r) {
@@ -18,6 +27,11 @@ Prepared::Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
         }
     }
     for (const FitReport& fit : source.fits) arrays_.fit_rms.push_back(fit.rms);
+}
+
+void Prepared::expect_same_cache() const {
+    if (!times_.moves() || stamp_of(times_.cache) == cache_) return;
+    throw InputError(times_.cache.string() + ": has changed since it was opened");
 }
 
 double Prepared::frame_at(double time) const {
@@ -28,12 +42,14 @@ double Prepared::frame_at(double time) const {
 std::shared_ptr<const GuidePose> Prepared::pose(
     double frame, const std::shared_ptr<const StrandClasses>& classes) const {
     return poses_.get({frame, classes.get()}, [&] {
+        expect_same_cache();
         const GroomGuides& source = generator().source;
         const bool moves = times_.moves();
         auto out = std::make_shared<GuidePose>();
         out->classes = classes;
         out->guides =
             moves ? guides_at(times_, source.places, frame) : generator().source.guides;
+        expect_same_cache();
         // No children yet: the guides' normals alone.
         Binding none;
         none.guide_normals = source.normals;
@@ -61,9 +77,16 @@ std::shared_ptr<const StrandClasses> Prepared::classes(CurveBasis basis, float m
                           : generator().classes);
         }
         const double tolerance = as_groom ? own.tolerance : double(max_error);
-        const int finest = intervals_in_time(
-            generator(), times_, basis, tolerance,
-            is_of_hermite(basis) ? kMostIntervalsAsked : kMostIntervals);
+        expect_same_cache();
+        double reached = 0;
+        const int finest = intervals_in_time(generator(), times_, basis, tolerance,
+                                             kMostIntervalsAsked, &reached);
+        if (reached > tolerance) {
+            warn_(fmt::format(
+                "{}: curves are up to {:.2g} cm off their strands, not {:.2g} as asked "
+                "for: a strand has at most {} intervals",
+                own.name, reached, tolerance, finest));
+        }
         return std::make_shared<const StrandClasses>(
             all_alike ? StrandClasses{{finest}}
                       : classes_in_time(generator(), times_, basis, tolerance, finest));
@@ -79,6 +102,11 @@ std::size_t Prepared::bytes() const {
     out += of(source.guides.root_positions) + of(source.guides.root_frames) +
            of(source.guides.segment_lengths) + of(source.guides.curvatures);
     out += of(source.grown_roots) + of(source.grown_tangents) + of(source.normals);
+    const GuideProfiles<float>& profiles = generator().profiles;
+    out += of(profiles.intervals) + of(profiles.joints) + of(profiles.root_frames) +
+           of(profiles.lengths) + of(profiles.positions) + of(profiles.frames) +
+           of(profiles.curvatures) + of(profiles.bishop) + of(profiles.spines) +
+           of(profiles.advances);
     const auto of_mesh = [&](const TriangleMesh& mesh) {
         return of(mesh.positions) + of(mesh.triangles) + of(mesh.uvs);
     };

@@ -20,8 +20,8 @@ lancret_check check_of(const Prepared& groom, std::uint32_t chunk,
     const Request& request = bound.request;
     const Groom& own = groom.generator().groom;
     const auto pose = groom.pose(request.frames[0], request.classes);
-    const Binding posed =
-        groom.times().moves() ? at_pose(groom, bound, *pose) : bound.binding;
+    PosedBinding binding(groom, bound);
+    const Binding& posed = binding.at(*pose);
     const ExpandSettings settings = settings_of(groom, request);
     Curves curves;
     expand(posed, pose->classed, settings, curves);
@@ -101,7 +101,7 @@ lancret_status lancret_evaluate(lancret_context* context, const lancret_source* 
         [&] {
             require(sink, "sink");
             const std::string text = evaluation_text(*context, read_source(source));
-            sink(user, text.c_str());
+            call_host([&] { sink(user, text.c_str()); });
         },
         &fault);
     copy_text(fault, error, error_size);

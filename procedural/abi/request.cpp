@@ -45,6 +45,7 @@ Request read_request(const Prepared& groom, std::uint32_t chunk,
         out.frames.push_back(groom.frame_at(in.times[i]));
     }
     if (out.frames.empty()) out.frames = {groom.frame_at(groom.times().first())};
+    groom.expect_times(out.frames.size());
     constexpr CurveBasis kBases[] = {CurveBasis::linear, CurveBasis::bspline,
                                      CurveBasis::catmull_rom, CurveBasis::bezier,
                                      CurveBasis::hermite};

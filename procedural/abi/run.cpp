@@ -1,4 +1,6 @@
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
 
@@ -41,7 +43,7 @@ class Call {
     Call(const Call&) = delete;
     Call& operator=(const Call&) = delete;
 
-    void run(const std::function<void()>& work, int threads) {
+    void run(WorkRef work, int threads) {
         // More than the machine has would have TBB say so on stderr.
         tbb::task_arena arena(threads > 0
                                   ? std::min(threads, tbb::info::default_concurrency())
@@ -49,19 +51,30 @@ class Call {
         std::exception_ptr thrown;
         bool done = false;
         arena.execute([&] {
-            tbb::task_group tasks(group_);
-            // Thrown past TBB it would be lost where the group was cancelled before.
-            tasks.run_and_wait([&] {
-                try {
-                    work();
-                    done = true;
-                } catch (...) {
-                    thrown = std::current_exception();
-                }
-            });
+            // One turn of a loop, on this thread. A task group would forget, as it ends,
+            // that it was cancelled.
+            tbb::parallel_for(
+                tbb::blocked_range<int>(0, 1),
+                [&](const tbb::blocked_range<int>&) {
+                    // Thrown past TBB it would be lost where the work was cancelled
+                    // before.
+                    try {
+                        work();
+                        done = true;
+                    } catch (const SinkEnded&) {  // the host's own word
+                        thrown = std::current_exception();
+                        done = true;
+                    } catch (...) {
+                        thrown = std::current_exception();
+                    }
+                },
+                tbb::simple_partitioner(), group_);
         });
-        // Of work that was cut short whatever it says is wrong.
-        if (!done && group_.is_group_execution_cancelled()) throw Cancelled();
+        // Of work that was cut short whatever it says is wrong. What never began was
+        // cancelled.
+        if (!done && (!thrown || group_.is_group_execution_cancelled())) {
+            throw Cancelled();
+        }
         if (thrown) std::rethrow_exception(thrown);
     }
 
@@ -82,13 +95,17 @@ void copy_text(const std::string& text, char* to, std::size_t size) {
 }
 
 void log(const lancret_context& context, int level, const std::string& text) {
-    if (context.host.log) context.host.log(context.host.user, level, text.c_str());
+    if (!context.host.log) return;
+    call_host([&] { context.host.log(context.host.user, level, text.c_str()); });
 }
 
-lancret_status run(lancret_context& context, const std::function<void()>& work,
-                   std::string* error) noexcept {
-    const auto tell = [&](lancret_status status, const char* text) noexcept {
+lancret_status run(lancret_context& context, WorkRef work, std::string* error) noexcept {
+    const auto tell = [&](lancret_status status, const char* what) noexcept {
         try {
+            std::string text = what;
+            // One line, whatever names there are in it.
+            std::ranges::replace_if(
+                text, [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
             if (error) *error = text;
             if (status != LANCRET_CANCELLED) log(context, LANCRET_LOG_ERROR, text);
         } catch (...) {  // no memory for the words: the status says enough

@@ -53,7 +53,8 @@ lancret_status lancret_describe(const lancret_groom* groom, lancret_text_sink si
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
         require(sink, "sink");
-        sink(user, description_of(groom->own->generator()).c_str());
+        const std::string text = description_of(groom->own->generator());
+        call_host([&] { sink(user, text.c_str()); });
     });
 }
 
@@ -65,7 +66,8 @@ lancret_status lancret_get_head(const lancret_groom* groom, double time,
         require(std::isfinite(time), "time");
         const lancret::TriangleMesh head = head_at(*groom->own, time);
         const lancret_mesh view = view_of(head);
-        const lancret_status status = sink(user, &view);
+        lancret_status status = LANCRET_OK;
+        call_host([&] { status = sink(user, &view); });
         if (status != LANCRET_OK) throw SinkEnded{status};
     });
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Values that are made once and shared by all who ask for the same.
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -19,6 +20,12 @@ template <class Key, class Value>
 class SharedByKey {
   public:
     explicit SharedByKey(std::size_t most) : most_(most) {}
+
+    /// From now on no fewer than so many live longer.
+    void keep_at_least(std::size_t most) {
+        const std::lock_guard lock(mutex_);
+        most_ = std::max(most_, most);
+    }
 
     /// The value of `key`; `make()` returns it as a std::shared_ptr<const Value> where
     /// there is none, and may throw. Who waits stops, with Cancelled, when cancelled.

@@ -5,6 +5,8 @@
 #include <bit>
 #include <system_error>
 
+#include "guides/cancel.h"
+#include "procedural/abi/file_stamp.h"
 #include "procedural/chunks.h"
 
 namespace lancret::abi {
@@ -13,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMostParameters = 1 << 16;
 constexpr std::uint32_t kMostChunkStrands = 1'000'000;
+constexpr int kMostFramesLookedAt = 1000;
 
 /// Length first, so that two texts side by side are not taken for two others.
 void add(std::string& key, std::string_view text) {
@@ -23,9 +26,8 @@ void add_file(std::string& key, const std::filesystem::path& file) {
     std::error_code unknown;  // a file that is not there has no size
     add(key, file.empty() ? "" : std::filesystem::absolute(file, unknown).string());
     if (file.empty()) return;
-    const auto size = std::filesystem::file_size(file, unknown);
-    const auto time = std::filesystem::last_write_time(file, unknown);
-    add(key, fmt::format("{} {}", size, time.time_since_epoch().count()));
+    const FileStamp stamp = stamp_of(file);
+    add(key, fmt::format("{} {}", stamp.size, stamp.time.time_since_epoch().count()));
 }
 
 }  // namespace
@@ -34,6 +36,7 @@ Source read_source(const lancret_source* given) {
     const auto in = read_sized(given, "lancret_source and its size");
     require(in.path || in.text || in.strands,
             "lancret_source: neither path nor text nor strands");
+    require(!in.path || *in.path, "lancret_source: path is empty");
     require(in.parameter_count <= kMostParameters, "lancret_source: parameter_count");
     require(in.parameters || in.parameter_count == 0, "lancret_source: parameters");
     require(in.chunk_strands <= kMostChunkStrands, "lancret_source: chunk_strands");
@@ -60,7 +63,8 @@ std::optional<std::string> key_of(const Source& source, const SourcedGroom& sour
     if (s.strands || s.scalp) return std::nullopt;
     std::string key;
     add_file(key, s.path);
-    add(key, s.text ? *s.text : "");
+    // Not the file's size and time: it may have changed and kept them.
+    add(key, sourced.text);
     std::error_code unknown;
     const std::filesystem::path folder = s.folder.empty() ? "." : s.folder;
     add(key, std::filesystem::absolute(folder, unknown).string());
@@ -78,8 +82,13 @@ std::optional<std::string> key_of(const Source& source, const SourcedGroom& sour
         add_file(key, file);
     }
     const ObjSequence& files = sourced.motion.files;
-    for (int f = files.first; !files.pattern.empty() && f <= files.last; ++f) {
-        add_file(key, frame_path(files.pattern, f));
+    if (files.pattern.empty()) return key;
+    add(key, files.pattern);
+    const std::int64_t step =
+        1 + (std::int64_t(files.last) - files.first) / kMostFramesLookedAt;
+    for (std::int64_t f = files.first; f <= files.last; f += step) {
+        add_file(key, frame_path(files.pattern, int(f)));
+        stop_if_cancelled();
     }
     return key;
 }

@@ -19,9 +19,10 @@ struct Source {
 /// Throws BadCall.
 Source read_source(const lancret_source* given);
 
-/// What tells one groom from another: everything that the source says, and the size and
-/// time of each file that the groom names; nothing where it holds a host's own arrays,
-/// whose contents no two share.
+/// What tells one groom from another: everything that the source and its TOML say, and
+/// the size and time of each file that the groom names, of a long mesh sequence of a
+/// thousand of its frames; nothing where it holds a host's own arrays, whose contents no
+/// two share. Throws Cancelled.
 std::optional<std::string> key_of(const Source& source, const SourcedGroom& sourced);
 
 /// Copies of a host's arrays, every count and number looked at. Throws BadCall, and

@@ -32,12 +32,12 @@ std::shared_ptr<const Strands> copied(const lancret_strands* given) {
     out->basis = in.basis == LANCRET_BSPLINE ? Basis::bspline : Basis::catmull_rom;
     out->first.reserve(std::size_t(in.strands) + 1);
     std::uint64_t points = 0;
+    const lancret_u32 fewest = in.basis == LANCRET_BSPLINE ? 4 : 2;
     for (std::size_t i = 0; i < in.strands; ++i) {
-        if (in.counts[i] < 2) {
+        if (in.counts[i] < fewest) {
             throw InputError(
-                fmt::format("strands: strand {} has {} points, expected 2 or "
-                            "more",
-                            i, in.counts[i]));
+                fmt::format("strands: strand {} has {} points, expected {} or more", i,
+                            in.counts[i], fewest));
         }
         points += in.counts[i];
         require(points <= std::numeric_limits<std::int32_t>::max(),

@@ -55,6 +55,7 @@ void Workspace::clear() {
 std::unique_ptr<Workspace> Workspaces::take() {
     {
         const std::lock_guard lock(mutex_);
+        idle_.reserve(kMostIdle);  // where it may fail: giving back must not
         if (!idle_.empty()) {
             auto out = std::move(idle_.back());
             idle_.pop_back();
@@ -64,10 +65,9 @@ std::unique_ptr<Workspace> Workspaces::take() {
     return std::make_unique<Workspace>(host_);
 }
 
-void Workspaces::give(std::unique_ptr<Workspace> workspace) {
+void Workspaces::give(std::unique_ptr<Workspace> workspace) noexcept {
     workspace->rewind();
     const std::lock_guard lock(mutex_);
-    idle_.reserve(kMostIdle);
     if (idle_.size() < kMostIdle) idle_.push_back(std::move(workspace));
 }
 

@@ -46,8 +46,9 @@ class Workspaces {
   public:
     explicit Workspaces(const lancret_host& host) : host_(host) {}
 
+    /// Throws std::bad_alloc; giving back throws nothing.
     std::unique_ptr<Workspace> take();
-    void give(std::unique_ptr<Workspace> workspace);
+    void give(std::unique_ptr<Workspace> workspace) noexcept;
 
   private:
     const lancret_host& host_;

@@ -52,8 +52,9 @@ struct Kept {
     std::exception_ptr error;
 };
 
-/// Copies, so that Ri is called by the thread that called Subdivide, whichever the sink
-/// is called by. Nothing is thrown through Lancret.
+/// Converts, so that Ri is called when Lancret has taken its memory back, and outside of
+/// its work: the renderer may wait for locks or work of its own there. Nothing is thrown
+/// through Lancret.
 lancret_status keep_curves(void* user, const lancret_curves* curves) {
     Kept& kept = *static_cast<Kept*>(user);
     try {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <future>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -32,7 +31,7 @@ std::shared_ptr<Context> shared_context(int threads) {
 void Messages::add(RtInt severity, std::string text) {
     const std::lock_guard lock(mutex_);
     if (severity == kRiError) {
-        error_ = std::move(text);
+        errors_[std::this_thread::get_id()] = std::move(text);
     } else {
         texts_.emplace_back(severity, std::move(text));
     }
@@ -40,7 +39,8 @@ void Messages::add(RtInt severity, std::string text) {
 
 std::string Messages::take_error() {
     const std::lock_guard lock(mutex_);
-    return std::exchange(error_, {});
+    auto own = errors_.extract(std::this_thread::get_id());
+    return own ? std::move(own.mapped()) : std::string();
 }
 
 void Messages::print() {
@@ -99,13 +99,13 @@ OpenGroom::OpenGroom(RendermanParameters given)
     lancret_groom* opened = nullptr;
     const lancret_status status =
         std::async(std::launch::async, [&] {
-            return lancret_open(context->handle, &source, &opened, error, sizeof error);
+            const lancret_status out =
+                lancret_open(context->handle, &source, &opened, error, sizeof error);
+            context->messages.take_error();  // which is the same
+            return out;
         }).get();
     handle.reset(opened);
-    if (status != LANCRET_OK && error[0] != '\0') {
-        context->messages.take_error();  // which is the same
-        throw std::runtime_error(error);
-    }
+    if (status != LANCRET_OK && error[0] != '\0') throw std::runtime_error(error);
     expect_ok(status, parameters.file, context->messages);
     info.size = sizeof info;
     expect_ok(lancret_get_info(handle.get(), &info), "lancret_get_info",

@@ -1,9 +1,11 @@
 #pragma once
 // A groom held open for the procedurals that stand for its chunks.
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -19,13 +21,14 @@ class Messages {
     void add(RtInt severity, std::string text);
     /// Hands warnings to the renderer.
     void print();
-    /// The last error, which the caller tells in its own words; then there is none.
+    /// The last error of a call on this thread, which the caller tells in its own words;
+    /// then there is none.
     std::string take_error();
 
   private:
     std::mutex mutex_;
     std::vector<std::pair<RtInt, std::string>> texts_;
-    std::string error_;
+    std::map<std::thread::id, std::string> errors_;  ///< of calls on each thread
 };
 
 /// A context that grooms of as many threads share, for as long as one of them is open.

@@ -196,7 +196,7 @@ void take(const Word& word, RendermanParameters& out, Times& times) {
             out.attributes |= lancret_u32(choice_of(word, part, kPrimvars));
         }
     } else if (name == "chunk_strands") {
-        out.chunk_strands = lancret_u32(whole_of(word, 1, 1 << 24));
+        out.chunk_strands = lancret_u32(whole_of(word, 1, 1'000'000));
     } else if (name == "unit") {
         out.unit = float(number_of(word, 1e-6, 1e9));
     } else if (name == "threads") {

@@ -1,7 +1,7 @@
 #pragma once
 // The string that RenderMan hands to ConvertParameters, read:
 //
-//     head.toml frame=12 samples=0,0.5 strands.number=5000 material.map='skin.png'
+//     head.toml frame=12 samples=0,0.5 strands.count=5000 strands.blend='detail'
 //
 // Words are parted by spaces; a value with spaces stands in ' ' or " ". The first word
 // without = is the groom's file; a name with a dot is one of the groom's own parameters,
@@ -26,7 +26,8 @@ struct RendermanParameters {
     std::string file;
     std::vector<GroomValue> values;
 
-    std::vector<double> times;  ///< frame + samples; none: the groom at rest
+    std::vector<double> times;  ///< frame + samples; none: at rest, of a cache its
+                                ///< first frame
     std::vector<float> motion;  ///< [times] where the renderer's motion blocks have them
     int basis = LANCRET_BSPLINE;
     float max_error = 0;          ///< units; 0: the groom's own

@@ -115,6 +115,13 @@ TEST(PluginArrays, EveryCountAndNumberIsLookedAt) {
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(fault([](HostArrays& a) { a.counts[3] = 1; }, LANCRET_BAD_INPUT),
               "strands: strand 3 has 1 points, expected 2 or more");
+    EXPECT_EQ(fault(
+                  [](HostArrays& a) {
+                      a.strands.basis = LANCRET_BSPLINE;
+                      a.counts[3] = 3;
+                  },
+                  LANCRET_BAD_INPUT),
+              "strands: strand 3 has 3 points, expected 4 or more");
     EXPECT_NE(fault([&](HostArrays& a) { a.points[10] = kNaN; }, LANCRET_BAD_INPUT)
                   .find("strands: point 3 is at"),
               std::string::npos);

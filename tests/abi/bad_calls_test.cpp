@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "tests/abi/plugin.h"
@@ -162,6 +163,48 @@ TEST(PluginCalls, ParametersAreCheckedAsTheFileIs) {
     fault({"strands.count.x", nullptr, 1});
     fault({"strands", "x", 1});
     EXPECT_EQ(with({nullptr, nullptr, 1}).status, LANCRET_BAD_CALL);
+}
+
+TEST(PluginCalls, AnEmptyPathIsNoGroom) {
+    const auto context = a_context();
+    lancret_source source = text_source(kSmallGroom);
+    source.path = "";
+    const auto out = open(context.get(), source);
+    EXPECT_EQ(out.status, LANCRET_BAD_CALL);
+    EXPECT_EQ(out.error, "lancret_source: path is empty");
+}
+
+TEST(PluginCalls, AnErrorIsOneLine) {
+    const auto context = a_context();
+    lancret_source source = text_source(kSmallGroom);
+    const lancret_parameter parameter{"strands.a\nb\r\tc", nullptr, 1};
+    source.parameters = &parameter;
+    source.parameter_count = 1;
+    const auto out = open(context.get(), source);
+    EXPECT_EQ(out.status, LANCRET_BAD_INPUT);
+    EXPECT_NE(out.error.find("unknown key 'a b  c' in [strands]"), std::string::npos)
+        << out.error;
+}
+
+TEST(PluginCalls, BuffersOffTheirAlignmentAreRefused) {
+    const auto context = a_context();
+    const auto groom = opened(context.get(), kSmallGroom);
+    const auto options = some_options(LANCRET_BSPLINE);
+    lancret_chunk* chunk = nullptr;
+    ASSERT_EQ(lancret_chunk_open(groom.get(), 0, &options, &chunk), LANCRET_OK);
+    lancret_curves curves{};
+    curves.size = sizeof curves;
+    ASSERT_EQ(lancret_chunk_sizes(chunk, &curves), LANCRET_OK);
+    std::vector<float> room(4 * std::size_t(curves.points) + 8);
+    const auto off = reinterpret_cast<std::uintptr_t>(room.data()) % 16 / sizeof(float);
+    const float* aligned = room.data() + (4 - off) % 4;
+    for (int by = 0; by < 4; ++by) {
+        const float* positions[] = {aligned + by};
+        curves.positions = positions;
+        EXPECT_EQ(lancret_chunk_write(chunk, &curves),
+                  by == 0 ? LANCRET_OK : LANCRET_BAD_CALL);
+    }
+    lancret_chunk_close(chunk);
 }
 
 }  // namespace

@@ -117,9 +117,12 @@ TEST(Plugin, OtherBasesAreTheSameCurves) {
 TEST(Plugin, MaxErrorHoldsInEveryBasis) {
     const auto context = a_context();
     const auto groom = opened(context.get(), kSmallGroom);
-    for (const float error : {0.1f, 0.01f}) {
+    for (const float error : {0.1f, 0.01f, 1e-3f}) {
         for (const int basis : {LANCRET_LINEAR, LANCRET_BSPLINE, LANCRET_CATMULL_ROM,
                                 LANCRET_BEZIER, LANCRET_HERMITE}) {
+            // The finest are long; these two must not be cut coarser than others.
+            const bool slow = error < 0.01f && basis != LANCRET_BSPLINE;
+            if (slow && basis != LANCRET_HERMITE) continue;
             auto options = some_options(basis);
             options.max_error = error;
             lancret_check check{};
@@ -136,69 +139,32 @@ TEST(Plugin, MaxErrorHoldsInEveryBasis) {
     }
 }
 
-TEST(Plugin, UnitScalesLengthsAndNothingElse) {
-    const auto context = a_context();
+TEST(Plugin, AnErrorThatCannotBeKeptIsTold) {
+    std::vector<std::string> warnings;
+    lancret_host host = a_host(1);  // whose log comes from one thread
+    host.user = &warnings;
+    host.log = [](void* user, int level, const char* text) {
+        if (level != LANCRET_LOG_WARNING) return;
+        static_cast<std::vector<std::string>*>(user)->emplace_back(text);
+    };
+    const auto context = a_context(&host);
     const auto groom = opened(context.get(), kSmallGroom);
-    auto options = some_options(LANCRET_BSPLINE, kAll);
-    const auto in_cm = expanded(groom.get(), options);
-    options.unit = 0.5f;  // half a cm: twice the numbers, exactly
-    const auto in_halves = expanded(groom.get(), options);
-    for (const auto& [id, a] : in_cm) {
-        const StrandArrays& b = in_halves.at(id);
-        ASSERT_EQ(a.positions.size(), b.positions.size());
-        for (std::size_t i = 0; i < a.positions.size(); ++i) {
-            ASSERT_EQ(2 * a.positions[i], b.positions[i]);
-        }
-        ASSERT_EQ(2 * a.length, b.length);
-        ASSERT_EQ(a.tangents, b.tangents);
-        ASSERT_EQ(a.normals, b.normals);
-        ASSERT_EQ(a.weights, b.weights);
-        ASSERT_NEAR(2 * a.arc_lengths.back(), b.arc_lengths.back(), 1e-4);
-    }
-}
-
-TEST(Plugin, AttributesAreWhatTheySay) {
-    const auto context = a_context();
-    const auto groom = opened(context.get(), kSmallGroom);
-    const Generator generator = direct(kSmallGroom);
-    std::map<std::uint32_t, std::size_t> places;
-    for (std::size_t i = 0; i < generator.binding.size(); ++i) {
-        places[generator.binding.roots.id(i)] = i;
-    }
-    double random = 0;
-    for (const int basis : {LANCRET_LINEAR, LANCRET_CATMULL_ROM, LANCRET_BEZIER}) {
-        random = 0;
-        for (const auto& [id, s] : expanded(groom.get(), some_options(basis, kAll))) {
-            const Binding& binding = generator.binding;
-            const std::size_t k = binding.neighbours, place = places.at(id);
-            ASSERT_EQ(s.length, binding.lengths[place]);
-            ASSERT_EQ(s.u, binding.roots.uvs[place].x());
-            ASSERT_EQ(s.v, binding.roots.uvs[place].y());
-            for (std::size_t g = 0; g < k; ++g) {
-                ASSERT_EQ(s.guides[g], binding.guides[place * k + g]);
-                ASSERT_EQ(s.weights[g], binding.weights[place * k + g]);
-            }
-            const std::size_t m = s.positions.size() / 4;
-            for (std::size_t j = 0; j < m; ++j) {
-                const Vec3f t(s.tangents[4 * j], s.tangents[4 * j + 1],
-                              s.tangents[4 * j + 2]),
-                    n(s.normals[4 * j], s.normals[4 * j + 1], s.normals[4 * j + 2]);
-                ASSERT_NEAR(t.norm(), 1, 1e-5);
-                // A face's normal is across the strand where both are its own; between
-                // places both go straight, and beyond the ends the normal does.
-                const bool own =
-                    basis == LANCRET_LINEAR ||
-                    (basis == LANCRET_BEZIER ? j % 3 == 0 : j > 0 && j < m - 1);
-                ASSERT_NEAR(own ? t.dot(n) : 0, 0, 1e-4) << basis << ' ' << j;
-            }
-            const std::size_t tip = basis == LANCRET_CATMULL_ROM ? m - 2 : m - 1;
-            ASSERT_NEAR(s.arc_lengths[tip], s.length, 1e-4 * s.length);
-            ASSERT_TRUE(s.random >= 0 && s.random < 1);
-            random += s.random;
-        }
-    }
-    // 3000 uniform draws: a mean of 1/2 to 5 standard deviations, 5 sqrt(1/12/3000).
-    EXPECT_NEAR(random / 3000, 0.5, 0.027);
+    const auto ask = [&](int basis) {
+        auto options = some_options(basis);
+        options.max_error = 1e-4f;
+        float box[6];
+        EXPECT_EQ(lancret_bound(groom.get(), 0, &options, LANCRET_REACH, box),
+                  LANCRET_OK);
+    };
+    ask(LANCRET_HERMITE);
+    EXPECT_TRUE(warnings.empty());
+    // A chord of an interval of 1/1024 of these curls is off by more.
+    ask(LANCRET_LINEAR);
+    ask(LANCRET_LINEAR);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("off their strands, not 0.0001 as asked for"),
+              std::string::npos)
+        << warnings[0];
 }
 
 }  // namespace

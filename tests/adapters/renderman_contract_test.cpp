@@ -8,10 +8,12 @@
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <set>
+#include <sstream>
 #include <thread>
 
-#include "tests/adapters/abi_groom.h"
+#include "tests/adapters/moving_groom.h"
 #include "tests/adapters/rib_host.h"
 #include "tests/adapters/rib_reader.h"
 
@@ -145,6 +147,7 @@ TEST(RendermanContract, AWrongStringIsRefusedWithItsPlace) {
         {"a.toml density=0", "[1e-06, 1]"},
         {"a.toml primvars=id,colour", "not 'colour'"},
         {"a.toml chunk_strands=1.5", "a whole number"},
+        {"a.toml chunk_strands=1000001", "[1, 1e+06]"},
         {"a.toml unit=1 unit=2", "given twice"},
         {"'a.toml", "does not end"},
         {"'a.toml'x", "a space was expected"},
@@ -213,6 +216,43 @@ std::set<std::string> exported(const std::string& library) {
 TEST(RendermanContract, TheLibraryExportsItsThreeFunctionsAlone) {
     EXPECT_EQ(exported(kDso),
               (std::set<std::string>{"ConvertParameters", "Subdivide", "Free"}));
+}
+
+TEST(RendermanContract, FailuresAtOnceAreToldOfTheirOwnGrooms) {
+    const MovingGroom one, two;
+    RibHost host(kDso);
+    // More times than Lancret keeps the guides of: those of the first it will read again,
+    // from a cache that is no longer there.
+    constexpr int kTimes = 20, kTurns = 2000;
+    for (const MovingGroom* groom : {&one, &two}) {
+        for (int i = 0; i < kTimes; ++i) {
+            host.subdivide_root(host.convert("file='" + groom->cache + "' frame=1." +
+                                             std::to_string(10 + i)));
+        }
+        std::filesystem::remove(groom->cache);
+    }
+    ASSERT_EQ(host.children.size(), 2u * kTimes);
+    const std::array firsts = {host.children[0], host.children[kTimes]};
+    {
+        std::vector<std::jthread> threads;
+        for (const Procedural& child : firsts) {
+            threads.emplace_back([&] {
+                for (int i = 0; i < kTurns; ++i) host.subdivide(child);
+            });
+        }
+    }
+    std::istringstream lines(host.errors);
+    int of_one = 0, of_two = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const auto names = [&](const MovingGroom& groom) {
+            return line.find(groom.cache + ", chunk 0: bad input, " + groom.cache +
+                             ": has changed") != std::string::npos;
+        };
+        of_one += names(one);
+        of_two += names(two);
+    }
+    EXPECT_EQ(of_one, kTurns);
+    EXPECT_EQ(of_two, kTurns);
 }
 
 }  // namespace

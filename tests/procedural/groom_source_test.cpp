@@ -53,7 +53,9 @@ TEST(GroomParameters, SeedsAreTextsWhereDoublesDoNotHoldThem) {
     EXPECT_EQ(seed({"", "9007199254740993", 0}), 9007199254740993u);
     EXPECT_EQ(seed({"", std::nullopt, 6}), 6u);
     for (const char* text : {"", "-1", "1e3", "18446744073709551616", "7 "}) {
-        EXPECT_THAT(input_error([&] { seed({"", text, 0}); }),
+        EXPECT_THAT(input_error([&] {
+                        seed({"", text, 0});
+                    }),
                     testing::HasSubstr("'seed' must be a whole number"));
     }
     // In the file itself a text is none.
