@@ -58,6 +58,9 @@ void check_toml_depth(std::string_view text, const std::string& name) {
     int dots = 0, brackets = 0;
     for (std::size_t at = 0; at < text.size();) {
         const char letter = text[at];
+        // No text: the parser says so, and reads no further.
+        const bool space = letter == '\t' || letter == '\n' || letter == '\r';
+        if (letter >= 0 && letter < ' ' && !space) return;
         if (letter == '"' || letter == '\'') {
             at = behind_string(text, at);
             continue;

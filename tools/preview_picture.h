@@ -71,9 +71,9 @@ Image shoot(const RenderScene& scene, const Camera& camera,
             const PreviewSettings& settings, bool progressive, const std::string& title,
             const PictureFiles& files, PictureCost& cost);
 
-/// Adds to stats["bytes"] what a picture's memory is made of: bvh, per_time (control
-/// points of one time), widths (of thin strands), each also by the strand, and process,
-/// what was there before the groom was read.
+/// Adds to stats["bytes"] what a picture's memory is made of: bvh, per_time (ids and
+/// control points of one time), widths (of thin strands), each also by the strand, and
+/// process, what was there before the groom was read.
 void add_memory_stats(nlohmann::json& stats, const std::vector<ShownTime>& moments,
                       std::size_t bvh, std::size_t process);
 
