@@ -2,9 +2,9 @@
 // the library and through the plugin into a sink that looks at nothing.
 //
 // Arguments: 0 straight, 1 through the plugin; 0 a still groom, 1 one that moves, at
-// three times. The plugin has all of them in memory at once, as its sink wants. Peak
-// memory is of the whole process and only grows: run each by itself (--benchmark_filter)
-// to compare it.
+// three times, which both have in memory at once. Peak memory is of the whole process and
+// only grows: run each by itself (--benchmark_filter) to compare it; time by random
+// interleaving (--benchmark_enable_random_interleaving), as machines are noisy.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -97,7 +97,7 @@ void straight(benchmark::State& run, const MovingCache* moving) {
     } else {
         guides.push_back(rest_guides(generator));
     }
-    Curves curves;
+    std::vector<Curves> curves(guides.size());
     for (auto _ : run) {
         for (std::size_t c = 0; c < groom.chunks.size(); ++c) {
             Binding binding = bind_chunk(groom, c, 1, generator.classes);
@@ -105,8 +105,8 @@ void straight(benchmark::State& run, const MovingCache* moving) {
                 moving ? rest_places(binding, generator.source) : RestPlaces();
             for (std::size_t t = 0; t < guides.size(); ++t) {
                 if (moving) pose_binding_on(binding, rest, scalps[t]);
-                expand(binding, guides[t], generator.groom.expand, curves);
-                benchmark::DoNotOptimize(curves.points.data());
+                expand(binding, guides[t], generator.groom.expand, curves[t]);
+                benchmark::DoNotOptimize(curves[t].points.data());
             }
         }
     }

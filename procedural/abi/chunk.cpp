@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "guides/errors.h"
 #include "guides/hash.h"
@@ -183,7 +184,14 @@ PosedBinding::PosedBinding(const Prepared& groom, const BoundChunk& bound)
     : still_(bound.binding) {
     if (!groom.times().moves()) return;
     rest_ = rest_places(bound.binding, groom.generator().source);
-    moved_ = bound.binding;
+    moved_ = &copy_.emplace(bound.binding);
+}
+
+PosedBinding::PosedBinding(const Prepared& groom, BoundChunk&& bound)
+    : still_(bound.binding) {
+    if (!groom.times().moves()) return;
+    rest_ = rest_places(bound.binding, groom.generator().source);
+    moved_ = &bound.binding;
 }
 
 const Binding& PosedBinding::at(const GuidePose& pose) {
@@ -192,14 +200,15 @@ const Binding& PosedBinding::at(const GuidePose& pose) {
     return *moved_;
 }
 
-void write_chunk(const Prepared& groom, const BoundChunk& bound,
+namespace {
+
+void write_times(const Prepared& groom, const BoundChunk& bound, PosedBinding&& posed,
                  const lancret_curves& out, Workspace& workspace) {
     const Request& request = bound.request;
     write_strands(groom, bound, out);
     if (out.arc_lengths) write_arc_lengths(bound, writable(out.arc_lengths));
     const std::size_t points = sizes_of(bound).points;
     const bool still = request.is_still() && all_of_first(out);
-    PosedBinding posed(groom, bound);
     for (std::size_t time = 0; time < request.frames.size(); ++time) {
         if (still && time > 0) {
             copy_time(out, points, time);
@@ -208,6 +217,18 @@ void write_chunk(const Prepared& groom, const BoundChunk& bound,
         const auto pose = groom.pose(request.frames[time], request.classes);
         write_time(groom, request, points, posed.at(*pose), *pose, out, time, workspace);
     }
+}
+
+}  // namespace
+
+void write_chunk(const Prepared& groom, const BoundChunk& bound,
+                 const lancret_curves& out, Workspace& workspace) {
+    write_times(groom, bound, PosedBinding(groom, bound), out, workspace);
+}
+
+void write_chunk(const Prepared& groom, BoundChunk&& bound, const lancret_curves& out,
+                 Workspace& workspace) {
+    write_times(groom, bound, PosedBinding(groom, std::move(bound)), out, workspace);
 }
 
 ChunkArrays::ChunkArrays(const BoundChunk& bound, Workspace& workspace)

@@ -31,22 +31,30 @@ ExpandSettings settings_of(const Prepared& groom, const Request& request);
 class PosedBinding {
   public:
     PosedBinding(const Prepared& groom, const BoundChunk& bound);
+    /// Moves that binding itself, of which nothing is copied.
+    PosedBinding(const Prepared& groom, BoundChunk&& bound);
+    PosedBinding(const PosedBinding&) = delete;
+    PosedBinding& operator=(const PosedBinding&) = delete;
     /// The binding where the scalp is at that pose, until the next is asked for.
     const Binding& at(const GuidePose& pose);
 
   private:
     const Binding& still_;
     RestPlaces rest_;
-    std::optional<Binding> moved_;  ///< where the groom moves
+    std::optional<Binding> copy_;
+    Binding* moved_ = nullptr;  ///< where the groom moves
 };
 
 /// All of lancret_curves but its pointers.
 lancret_curves sizes_of(const BoundChunk& bound);
 
 /// Writes the arrays that `out` points to, all but those that are null; all of them are
-/// as long as sizes_of says. `workspace` lends memory for what is not kept.
+/// as long as sizes_of says. `workspace` lends memory for what is not kept. A chunk that
+/// is no more of use is not copied to be moved.
 void write_chunk(const Prepared& groom, const BoundChunk& bound,
                  const lancret_curves& out, Workspace& workspace);
+void write_chunk(const Prepared& groom, BoundChunk&& bound, const lancret_curves& out,
+                 Workspace& workspace);
 
 /// Arrays for all that was asked for, in memory of the workspace.
 struct ChunkArrays {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <new>
+#include <utility>
 
 #include "procedural/abi/bound.h"
 #include "procedural/abi/chunk.h"
@@ -29,10 +30,10 @@ lancret_status lancret_expand(const lancret_groom* groom, lancret_u32 chunk,
     return run(groom->context, [&] {
         require(sink, "sink");
         const Prepared& own = *groom->own;
-        const BoundChunk bound = bind_request(own, chunk, options);
+        BoundChunk bound = bind_request(own, chunk, options);
         const WorkspaceLoan workspace(groom->context.workspaces);
         const ChunkArrays arrays(bound, *workspace);
-        write_chunk(own, bound, arrays.curves, *workspace);
+        write_chunk(own, std::move(bound), arrays.curves, *workspace);
         lancret::stop_if_cancelled();
         lancret_status status = LANCRET_OK;
         call_host([&] { status = sink(user, &arrays.curves); });
