@@ -39,7 +39,8 @@ Eigen::AlignedBox3d seen_box(const EmittedStrand& strand) {
 }
 
 bool same_bits(std::span<const Point4f> a, std::span<const Point4f> b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
 /// What was found in one chunk.
