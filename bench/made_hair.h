@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "procedural/child_roots.h"
-#include "procedural/emission.h"
-#include "procedural/generator.h"
+#include "procedural/expand/intervals.h"
+#include "procedural/groom/ready_groom.h"
+#include "procedural/roots/child_roots.h"
 
 namespace lancret::bench {
 

@@ -1,8 +1,12 @@
-# lancret_folder(NAME LINK targets...): the library lancret_NAME of every .cpp in this folder.
-# Includes are written from the project's root: #include "guides/helix.h".
+# lancret_folder(NAME [EXCEPT folders...] LINK targets...): the library lancret_NAME of every .cpp
+# in this folder and its sub-folders, except those that are libraries of their own.
+# Includes are written from the project's root: #include "guides/helix/helix.h".
 function(lancret_folder name)
-    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
-    file(GLOB sources CONFIGURE_DEPENDS "*.cpp" "*.h")
+    cmake_parse_arguments(ARG "" "" "LINK;EXCEPT" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "*.cpp" "*.h")
+    foreach(folder IN LISTS ARG_EXCEPT)
+        list(FILTER sources EXCLUDE REGEX "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/")
+    endforeach()
     add_library(lancret_${name} STATIC ${sources})
     target_include_directories(lancret_${name} PUBLIC "${PROJECT_SOURCE_DIR}")
     target_link_libraries(lancret_${name} PUBLIC ${ARG_LINK} PRIVATE lancret_options)

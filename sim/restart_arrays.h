@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "guides/guide_cache.h"
-#include "sim/contact.h"
+#include "guides/files/guide_cache.h"
+#include "sim/contact/contact.h"
 
 namespace lancret {
 

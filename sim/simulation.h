@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "guides/guide_cache.h"
-#include "guides/scalp_motion.h"
-#include "sim/contact.h"
-#include "sim/rod_step.h"
+#include "guides/files/guide_cache.h"
+#include "guides/motion/scalp_motion.h"
+#include "sim/contact/contact.h"
+#include "sim/rod/step.h"
 #include "sim/wind.h"
 
 namespace lancret {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "guides/super_helix.h"
-#include "sim/gauss_legendre.h"
-#include "sim/sag_free.h"
+#include "guides/helix/super_helix.h"
+#include "sim/equilibrium/sag_free.h"
+#include "sim/segment/gauss_legendre.h"
 
 namespace lancret {
 

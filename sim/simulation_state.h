@@ -3,8 +3,8 @@
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
+#include "sim/contact/strand_contact.h"
 #include "sim/simulation.h"
-#include "sim/strand_contact.h"
 
 namespace lancret {
 

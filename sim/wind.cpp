@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "guides/hash.h"
+#include "guides/base/hash.h"
 
 namespace lancret {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "guides/types.h"
+#include "guides/base/types.h"
 
 namespace lancret {
 

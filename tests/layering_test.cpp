@@ -73,17 +73,18 @@ struct ThirdParty {
 };
 const ThirdParty kThirdParties[] = {
     {{"embree"},
-     {"render_test/embree_scene.", "guides/closest_point.",
+     {"render_test/scene/embree_scene.", "guides/mesh/closest_point.",
       "bench/render_test/bare_embree."}},
     {{"OpenImageIO", "OpenEXR", "Imath", "Imf", "Iex"},
-     {"render_test/image.", "render_test/image_", "procedural/region_map.",
-      "tests/render_test/image_", "tests/procedural/region_map_test.",
-      "tests/tools/good_runs_test.", "tests/tools/view_layers."}},
-    {{"hdf5", "H5"}, {"guides/guide_cache", "tests/guides/guide_cache_test."}},
-    {{"tiny_obj_loader"}, {"guides/obj_file."}},
-    {{"nanoflann"}, {"guides/point_tree.h"}},
-    {{"hwy/"}, {"procedural/kernels/", "tests/procedural/every_target.h"}},
-    {{"toml"}, {"procedural/toml_table"}},
+     {"render_test/image/", "procedural/bind/region_map.", "tests/render_test/image/",
+      "tests/procedural/bind/region_map_test.", "tests/tools/good_runs_test.",
+      "tests/tools/view_layers."}},
+    {{"hdf5", "H5"},
+     {"guides/files/guide_cache", "tests/guides/files/guide_cache_test."}},
+    {{"tiny_obj_loader"}, {"guides/files/obj_file."}},
+    {{"nanoflann"}, {"guides/base/point_tree.h"}},
+    {{"hwy/"}, {"procedural/kernels/", "tests/procedural/kernels/every_target.h"}},
+    {{"toml"}, {"guides/toml/table", "guides/toml/overrides."}},
     {{"CLI/"},
      {"tools/", "bench/render_test/picture_bench.", "bench/pipeline/pipeline_bench."}},
     {{"unsupported/"}, {"tests/"}},
@@ -93,13 +94,14 @@ const ThirdParty kThirdParties[] = {
 
 /// The figures of an evaluation share nothing with what they measure.
 std::string judge_fault(const Include& include) {
-    constexpr const char* kJudged[] = {
-        "procedural/blend",      "procedural/guide_profiles", "procedural/expand",
-        "procedural/evaluation", "procedural/binding",        "procedural/leave_out",
-        "procedural/spine",      "procedural/anchor",         "procedural/weights",
-        "procedural/candidates", "procedural/temporal",       "procedural/kernels",
-        "procedural/synthesis"};
-    const bool judge = begins(include.file, "procedural/strand_figures.");
+    constexpr const char* kJudged[] = {"procedural/blend/",
+                                       "procedural/bind/",
+                                       "procedural/expand/",
+                                       "procedural/kernels/",
+                                       "procedural/evaluate/leave_out",
+                                       "procedural/evaluate/evaluation",
+                                       "procedural/check/"};
+    const bool judge = begins(include.file, "procedural/evaluate/strand_figures.");
     return judge && std::ranges::any_of(
                         kJudged,
                         [&](const char* start) { return begins(include.name, start); })
@@ -133,8 +135,7 @@ std::string adapter_fault(const Include& include) {
 
 /// The path tracer and the preview.
 bool is_of_picture(const std::string& path) {
-    constexpr const char* kPicture[] = {"render_test/", "tools/preview",
-                                        "tools/check_views.", "tools/lod."};
+    constexpr const char* kPicture[] = {"render_test/", "tools/preview/"};
     return std::ranges::any_of(kPicture,
                                [&](const char* start) { return begins(path, start); });
 }
@@ -144,9 +145,8 @@ bool is_of_picture(const std::string& path) {
 /// with what grows them.
 std::string picture_fault(const Include& include) {
     constexpr const char* kShared[] = {
-        "lancret_procedural", "curves",           "strand_values",
-        "toml_table",         "stopwatch",        "bind_report",
-        "check_strand",       "check_tolerances", "check_figures"};
+        "lancret_procedural", "curves/curves",    "curves/strand_values", "bind/report",
+        "check/strand",       "check/tolerances", "check/figures"};
     const std::string folder = "procedural/";
     const auto shared = [&](const char* name) {
         return include.name == folder + name + ".h";
@@ -224,12 +224,16 @@ TEST(Layering, RulesFindWhatBreaksThem) {
     EXPECT_NE(layering_fault(one("guides/a.cpp", "#include \"a.h\"")), "");
     EXPECT_NE(layering_fault(one("guides/a.cpp", "#include \"../guides/a.h\"")), "");
     EXPECT_EQ(layering_fault(one("tools/a.cpp", "#include \"render_test/b.h\"")), "");
-    EXPECT_NE(third_party_fault(one("render_test/render.cpp", "#include <embree3/x.h>")),
-              "");
-    EXPECT_NE(third_party_fault(one("guides/curve.cpp", "#include <nanoflann.hpp>")), "");
+    EXPECT_NE(
+        third_party_fault(one("render_test/trace/render.cpp", "#include <embree3/x.h>")),
+        "");
+    EXPECT_NE(
+        third_party_fault(one("guides/strand/curve.cpp", "#include <nanoflann.hpp>")),
+        "");
     EXPECT_NE(third_party_fault(one("procedural/a.cpp", "#include <CLI/CLI.hpp>")), "");
-    EXPECT_EQ(third_party_fault(one("guides/curve.cpp", "#include <vector>")), "");
-    EXPECT_NE(source_fault(one("tests/a.cpp", "#include \"guides/helix.cpp\"")), "");
+    EXPECT_EQ(third_party_fault(one("guides/strand/curve.cpp", "#include <vector>")), "");
+    EXPECT_NE(source_fault(one("tests/a.cpp", "#include \"guides/helix/helix.cpp\"")),
+              "");
 }
 
 TEST(Layering, FoldersIncludeOnlyWhatTheyMay) { expect_faultless(layering_fault); }
@@ -238,11 +242,11 @@ TEST(Layering, ThirdPartiesStayInTheirFiles) { expect_faultless(third_party_faul
 
 TEST(Layering, FiguresKnowNothingOfTheBlends) {
     const auto include = [](const char* name) {
-        return Include{"procedural/strand_figures.cpp", name, true};
+        return Include{"procedural/evaluate/strand_figures.cpp", name, true};
     };
-    EXPECT_NE(judge_fault(include("procedural/blend.h")), "");
-    EXPECT_NE(judge_fault(include("procedural/expand.h")), "");
-    EXPECT_EQ(judge_fault(include("procedural/strand_figures.h")), "");
+    EXPECT_NE(judge_fault(include("procedural/blend/blend.h")), "");
+    EXPECT_NE(judge_fault(include("procedural/expand/expand.h")), "");
+    EXPECT_EQ(judge_fault(include("procedural/evaluate/strand_figures.h")), "");
     expect_faultless(judge_fault);
 }
 
@@ -250,8 +254,8 @@ TEST(Layering, AdaptersKnowTheCInterfaceAlone) {
     const auto include = [](const char* name) {
         return Include{"procedural/adapters/renderman.cpp", name, true};
     };
-    EXPECT_NE(adapter_fault(include("procedural/expand.h")), "");
-    EXPECT_NE(adapter_fault(include("guides/helix.h")), "");
+    EXPECT_NE(adapter_fault(include("procedural/expand/expand.h")), "");
+    EXPECT_NE(adapter_fault(include("guides/helix/helix.h")), "");
     EXPECT_EQ(adapter_fault(include("procedural/lancret_procedural.h")), "");
     EXPECT_EQ(adapter_fault(include("procedural/adapters/ri.h")), "");
     expect_faultless(adapter_fault);
@@ -277,8 +281,9 @@ std::set<std::string> reach_of(const std::string& path) {
 TEST(Layering, NothingInAPictureReachesWhatGrowsStrands) {
     const auto grows = [](const std::string& path) {
         const std::set<std::string> reach = reach_of(path);
-        for (const char* name : {"generator", "chunked_groom", "children", "moving_groom",
-                                 "chunk_bound", "abi/prepared"}) {
+        for (const char* name :
+             {"groom/ready_groom", "chunk/chunked_groom", "groom/children",
+              "motion/moving_groom", "chunk/box", "abi/prepared"}) {
             const std::string header = "procedural/" + std::string(name) + ".h";
             if (reach.contains(header)) return header;
         }
@@ -296,11 +301,16 @@ TEST(Layering, PicturesHaveTheirStrandsFromThePlugin) {
     const auto include = [](const char* file, const char* name) {
         return Include{file, name, true};
     };
-    EXPECT_NE(picture_fault(include("render_test/render.cpp", "procedural/expand.h")),
+    EXPECT_NE(picture_fault(
+                  include("render_test/trace/render.cpp", "procedural/expand/expand.h")),
               "");
-    EXPECT_NE(picture_fault(include("tools/preview.cpp", "procedural/generator.h")), "");
-    EXPECT_EQ(picture_fault(include("tools/preview.cpp", "procedural/curves.h")), "");
-    EXPECT_EQ(picture_fault(include("tools/check.cpp", "procedural/check.h")), "");
+    EXPECT_NE(picture_fault(
+                  include("tools/preview/preview.cpp", "procedural/groom/ready_groom.h")),
+              "");
+    EXPECT_EQ(
+        picture_fault(include("tools/preview/preview.cpp", "procedural/curves/curves.h")),
+        "");
+    EXPECT_EQ(picture_fault(include("tools/check.cpp", "procedural/check/check.h")), "");
     expect_faultless(picture_fault);
 }
 

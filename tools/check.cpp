@@ -1,18 +1,18 @@
 // lancret check: the proof that the children of a groom are what they should be.
 
-#include "procedural/check.h"
+#include "procedural/check/check.h"
 
 #include <fmt/format.h>
 
 #include <memory>
 
-#include "procedural/bind_report.h"
-#include "procedural/check_chunks.h"
-#include "procedural/check_figures.h"
-#include "procedural/check_frames.h"
-#include "procedural/check_report.h"
-#include "procedural/class_choice.h"
-#include "procedural/moving_groom.h"
+#include "procedural/bind/report.h"
+#include "procedural/check/chunks.h"
+#include "procedural/check/figures.h"
+#include "procedural/check/frames.h"
+#include "procedural/check/report.h"
+#include "procedural/expand/class_choice.h"
+#include "procedural/motion/moving_groom.h"
 #include "tools/command.h"
 #include "tools/frames.h"
 #include "tools/generate.h"

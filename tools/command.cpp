@@ -10,9 +10,9 @@
 #include <fstream>
 #include <limits>
 
-#include "guides/atomic_file.h"
-#include "guides/errors.h"
-#include "procedural/density.h"
+#include "guides/base/atomic_file.h"
+#include "guides/base/errors.h"
+#include "procedural/roots/density.h"
 #include "tools/quiet_stderr.h"
 
 namespace lancret {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "procedural/groom_source.h"
-#include "procedural/pose.h"
-#include "render_test/preview_settings.h"
+#include "procedural/groom/groom_source.h"
+#include "procedural/motion/posed_binding.h"
+#include "render_test/settings/preview.h"
 #include "tools/dynamics_settings.h"
 
 namespace lancret {

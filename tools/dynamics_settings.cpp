@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "guides/closest_point.h"
-#include "guides/errors.h"
-#include "guides/obj_file.h"
+#include "guides/base/errors.h"
+#include "guides/files/obj_file.h"
+#include "guides/mesh/closest_point.h"
 
 namespace lancret {
 

@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "procedural/groom_guides.h"
-#include "procedural/motion_settings.h"
-#include "procedural/toml_table.h"
+#include "guides/toml/table.h"
+#include "procedural/groom/groom_guides.h"
+#include "procedural/groom/motion_settings.h"
 #include "sim/simulation.h"
 
 namespace lancret {

@@ -8,8 +8,8 @@
 #include <charconv>
 #include <memory>
 
-#include "guides/errors.h"
-#include "procedural/evaluation_report.h"
+#include "guides/base/errors.h"
+#include "procedural/evaluate/report.h"
 #include "tools/command.h"
 #include "tools/evaluate_picture.h"
 #include "tools/progress.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render_test/embree_scene.h"
+#include "render_test/scene/embree_scene.h"
 
 namespace lancret {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "procedural/evaluation.h"
-#include "render_test/image.h"
-#include "render_test/preview_settings.h"
+#include "procedural/evaluate/evaluation.h"
+#include "render_test/image/image.h"
+#include "render_test/settings/preview.h"
 
 namespace lancret {
 

@@ -1,17 +1,17 @@
 // lancret expand: a groom in, its children out as a file; or only the time that it takes.
 
-#include "procedural/expand.h"
+#include "procedural/expand/expand.h"
 
 #include <fmt/format.h>
 
 #include <memory>
 
-#include "guides/errors.h"
-#include "guides/hair_file.h"
-#include "guides/mitsuba_file.h"
-#include "procedural/child_strands.h"
-#include "procedural/chunks.h"
-#include "procedural/moving_groom.h"
+#include "guides/base/errors.h"
+#include "guides/files/hair_file.h"
+#include "guides/files/mitsuba_file.h"
+#include "procedural/chunk/chunks.h"
+#include "procedural/expand/child_strands.h"
+#include "procedural/motion/moving_groom.h"
 #include "tools/command.h"
 #include "tools/expand_chunks.h"
 #include "tools/frames.h"

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "guides/errors.h"
-#include "procedural/bind_report.h"
-#include "procedural/chunked_groom.h"
-#include "procedural/moving_groom.h"
+#include "guides/base/errors.h"
+#include "procedural/bind/report.h"
+#include "procedural/chunk/chunked_groom.h"
+#include "procedural/motion/moving_groom.h"
 #include "tools/generate.h"
 #include "tools/progress.h"
 #include "tools/stats.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "guides/errors.h"
-#include "guides/guide_cache.h"
+#include "guides/base/errors.h"
+#include "guides/files/guide_cache.h"
 #include "tools/command.h"
 #include "tools/generate.h"
 #include "tools/stats.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <regex>
 
-#include "guides/errors.h"
+#include "guides/base/errors.h"
 
 namespace lancret {
 

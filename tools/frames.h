@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "procedural/groom_times.h"
+#include "procedural/motion/groom_times.h"
 #include "tools/command.h"
 
 namespace lancret {

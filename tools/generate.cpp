@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "procedural/bind_report.h"
-#include "procedural/fit_report.h"
+#include "procedural/bind/report.h"
+#include "procedural/groom/fit_report.h"
 #include "tools/command.h"
 #include "tools/progress.h"
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "procedural/generator.h"
+#include "procedural/groom/ready_groom.h"
 
 namespace lancret {
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <memory>
 
-#include "guides/curve.h"
-#include "guides/errors.h"
-#include "guides/guide_cache.h"
-#include "guides/hair_file.h"
-#include "guides/obj_file.h"
-#include "guides/scalp.h"
+#include "guides/base/errors.h"
+#include "guides/files/guide_cache.h"
+#include "guides/files/hair_file.h"
+#include "guides/files/obj_file.h"
+#include "guides/mesh/scalp.h"
+#include "guides/strand/curve.h"
 #include "tools/command.h"
 #include "tools/stats.h"
 

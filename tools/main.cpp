@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "guides/errors.h"
-#include "procedural/toml_table.h"
+#include "guides/base/errors.h"
+#include "guides/toml/table.h"
 #include "tools/command.h"
 
 using namespace lancret;

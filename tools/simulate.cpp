@@ -4,11 +4,11 @@
 
 #include <memory>
 
-#include "guides/errors.h"
-#include "guides/frame_store.h"
-#include "guides/hash.h"
-#include "guides/obj_file.h"
-#include "sim/sag_free.h"
+#include "guides/base/errors.h"
+#include "guides/base/hash.h"
+#include "guides/files/frame_store.h"
+#include "guides/files/obj_file.h"
+#include "sim/equilibrium/sag_free.h"
 #include "tools/command.h"
 #include "tools/frames.h"
 #include "tools/progress.h"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "guides/atomic_file.h"
-#include "procedural/control_points.h"
+#include "guides/base/atomic_file.h"
+#include "procedural/curves/control_points.h"
 
 namespace lancret {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "procedural/curves.h"
-#include "procedural/stopwatch.h"
+#include "guides/base/stopwatch.h"
+#include "procedural/curves/curves.h"
 
 namespace lancret {
 

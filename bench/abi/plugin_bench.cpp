@@ -17,11 +17,11 @@
 #include <string>
 #include <vector>
 
-#include "guides/guide_cache.h"
-#include "procedural/chunked_groom.h"
-#include "procedural/groom_source.h"
+#include "guides/files/guide_cache.h"
+#include "procedural/chunk/chunked_groom.h"
+#include "procedural/groom/groom_source.h"
 #include "procedural/lancret_procedural.h"
-#include "procedural/moving_groom.h"
+#include "procedural/motion/moving_groom.h"
 
 namespace lancret {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bench/memory_fill.h"
-#include "guides/made_groom.h"
-#include "guides/super_helix_fit.h"
+#include "guides/fit/super_helix_fit.h"
+#include "guides/made/made_groom.h"
 
 namespace lancret {
 namespace {

@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "guides/helix.h"
+#include "guides/helix/helix.h"
 
 namespace lancret {
 namespace {

@@ -14,8 +14,8 @@
 
 #include "bench/memory_fill.h"
 #include "bench/render_test/bare_embree.h"
-#include "procedural/generator.h"
-#include "procedural/stopwatch.h"
+#include "guides/base/stopwatch.h"
+#include "procedural/groom/ready_groom.h"
 
 namespace lancret::bench {
 namespace {

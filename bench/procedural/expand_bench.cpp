@@ -15,8 +15,8 @@
 
 #include "bench/made_hair.h"
 #include "bench/memory_fill.h"
-#include "procedural/expand.h"
-#include "procedural/stopwatch.h"
+#include "guides/base/stopwatch.h"
+#include "procedural/expand/expand.h"
 
 namespace lancret {
 namespace {

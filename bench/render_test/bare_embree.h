@@ -4,9 +4,9 @@
 #include <memory>
 #include <span>
 
-#include "guides/triangle_mesh.h"
-#include "procedural/curves.h"
-#include "render_test/path_tracer.h"
+#include "guides/mesh/triangle_mesh.h"
+#include "procedural/curves/curves.h"
+#include "render_test/trace/path_tracer.h"
 
 namespace lancret::bench {
 

@@ -12,10 +12,10 @@
 
 #include "bench/render_test/bare_embree.h"
 #include "bench/render_test/sphere_scene.h"
-#include "procedural/stopwatch.h"
-#include "render_test/image.h"
-#include "render_test/render.h"
-#include "render_test/sampling.h"
+#include "guides/base/stopwatch.h"
+#include "render_test/image/image.h"
+#include "render_test/sampling/sampling.h"
+#include "render_test/trace/render.h"
 
 namespace lancret::bench {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "bench/made_hair.h"
 #include "bench/memory_fill.h"
-#include "procedural/expand.h"
-#include "render_test/render.h"
+#include "procedural/expand/expand.h"
+#include "render_test/trace/render.h"
 
 namespace lancret {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "render_test/sampler.h"
-#include "render_test/sampling.h"
+#include "render_test/sampling/sampler.h"
+#include "render_test/sampling/sampling.h"
 
 namespace lancret::bench {
 namespace {

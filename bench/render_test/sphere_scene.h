@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "guides/triangle_mesh.h"
-#include "procedural/curves.h"
-#include "render_test/camera.h"
-#include "render_test/path_tracer.h"
+#include "guides/mesh/triangle_mesh.h"
+#include "procedural/curves/curves.h"
+#include "render_test/scene/camera.h"
+#include "render_test/trace/path_tracer.h"
 
 namespace lancret::bench {
 

@@ -5,9 +5,9 @@
 
 #include <Eigen/Dense>
 
-#include "sim/contact.h"
-#include "sim/rod_step.h"
-#include "tests/sim/rods.h"
+#include "sim/contact/contact.h"
+#include "sim/rod/step.h"
+#include "tests/sim/rod/rods.h"
 
 namespace lancret {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "guides/made_groom.h"
-#include "guides/super_helix_fit.h"
+#include "guides/fit/super_helix_fit.h"
+#include "guides/made/made_groom.h"
 #include "sim/simulation.h"
 
 namespace lancret {

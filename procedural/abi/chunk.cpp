@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "guides/errors.h"
-#include "guides/hash.h"
-#include "procedural/faces.h"
+#include "guides/base/errors.h"
+#include "guides/base/hash.h"
+#include "procedural/expand/faces.h"
 
 namespace lancret::abi {
 

@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include "procedural/abi/bound.h"
+#include "procedural/abi/box.h"
 #include "procedural/abi/chunk.h"
 
 using namespace lancret::abi;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "guides/errors.h"
+#include "guides/base/errors.h"
 #include "procedural/abi/chunk.h"
-#include "procedural/borders.h"
-#include "procedural/check_values.h"
+#include "procedural/bind/borders.h"
+#include "procedural/check/values.h"
 
 namespace lancret::abi {
 

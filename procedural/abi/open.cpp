@@ -6,7 +6,7 @@
 
 #include "procedural/abi/handles.h"
 #include "procedural/abi/source.h"
-#include "procedural/fit_report.h"
+#include "procedural/groom/fit_report.h"
 
 namespace lancret::abi {
 

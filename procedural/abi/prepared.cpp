@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "guides/errors.h"
-#include "procedural/emission.h"
+#include "guides/base/errors.h"
+#include "procedural/expand/intervals.h"
 
 namespace lancret::abi {
 

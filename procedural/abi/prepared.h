@@ -10,9 +10,9 @@
 
 #include "procedural/abi/file_stamp.h"
 #include "procedural/abi/shared_by_key.h"
-#include "procedural/chunked_groom.h"
-#include "procedural/groom_source.h"
-#include "procedural/moving_groom.h"
+#include "procedural/chunk/chunked_groom.h"
+#include "procedural/groom/groom_source.h"
+#include "procedural/motion/moving_groom.h"
 
 namespace lancret::abi {
 

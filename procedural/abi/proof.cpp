@@ -6,9 +6,9 @@
 
 #include "procedural/abi/chunk.h"
 #include "procedural/abi/source.h"
-#include "procedural/check.h"
-#include "procedural/check_chunks.h"
-#include "procedural/evaluation_report.h"
+#include "procedural/check/check.h"
+#include "procedural/check/chunks.h"
+#include "procedural/evaluate/report.h"
 
 namespace lancret::abi {
 

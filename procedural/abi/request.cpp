@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "procedural/density.h"
+#include "procedural/roots/density.h"
 
 namespace lancret::abi {
 

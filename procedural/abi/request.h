@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "procedural/abi/handles.h"
-#include "procedural/control_points.h"
+#include "procedural/curves/control_points.h"
 
 namespace lancret::abi {
 

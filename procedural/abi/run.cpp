@@ -9,7 +9,7 @@
 #include <cstring>
 #include <exception>
 
-#include "guides/errors.h"
+#include "guides/base/errors.h"
 #include "procedural/abi/handles.h"
 
 namespace lancret::abi {

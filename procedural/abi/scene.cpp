@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "procedural/abi/request.h"
-#include "procedural/fit_report.h"
+#include "procedural/groom/fit_report.h"
 
 namespace lancret::abi {
 

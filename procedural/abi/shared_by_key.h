@@ -10,7 +10,7 @@
 #include <mutex>
 #include <utility>
 
-#include "guides/cancel.h"
+#include "guides/base/cancel.h"
 
 namespace lancret::abi {
 

@@ -5,9 +5,9 @@
 #include <bit>
 #include <system_error>
 
-#include "guides/cancel.h"
+#include "guides/base/cancel.h"
 #include "procedural/abi/file_stamp.h"
-#include "procedural/chunks.h"
+#include "procedural/chunk/chunks.h"
 
 namespace lancret::abi {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "procedural/abi/sized.h"
-#include "procedural/groom_source.h"
+#include "procedural/groom/groom_source.h"
 #include "procedural/lancret_procedural.h"
 
 namespace lancret::abi {

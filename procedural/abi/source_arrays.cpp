@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "guides/coordinates.h"
-#include "guides/errors.h"
+#include "guides/base/coordinates.h"
+#include "guides/base/errors.h"
 #include "procedural/abi/source.h"
 
 namespace lancret::abi {

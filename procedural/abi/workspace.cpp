@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "procedural/buffer.h"
+#include "procedural/curves/buffer.h"
 
 namespace lancret::abi {
 

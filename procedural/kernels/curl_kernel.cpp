@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procedural/expand/synthesis.h"
 #include "procedural/kernels/curl_kernel.h"
 #include "procedural/kernels/strand_batch.h"
-#include "procedural/synthesis.h"
 // after what they use, each after the other
 #include "procedural/kernels/copy_points.inl"
 //

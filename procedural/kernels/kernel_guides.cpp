@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "guides/cancel.h"
-#include "procedural/control_points.h"
+#include "guides/base/cancel.h"
+#include "procedural/curves/control_points.h"
 #include "procedural/kernels/strand_kernels.h"
 
 namespace lancret {

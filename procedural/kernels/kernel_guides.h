@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "procedural/blend.h"
-#include "procedural/buffer.h"
+#include "procedural/blend/blend.h"
+#include "procedural/curves/buffer.h"
 
 namespace lancret {
 

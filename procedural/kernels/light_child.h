@@ -1,7 +1,7 @@
 #pragma once
 // A child's guides and weights, without the turns.
 
-#include "procedural/binding.h"
+#include "procedural/bind/binding.h"
 
 namespace lancret {
 

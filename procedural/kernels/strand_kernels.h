@@ -9,9 +9,9 @@
 
 #include <span>
 
-#include "procedural/binding.h"
-#include "procedural/control_points.h"
-#include "procedural/curves.h"
+#include "procedural/bind/binding.h"
+#include "procedural/curves/control_points.h"
+#include "procedural/curves/curves.h"
 #include "procedural/kernels/kernel_guides.h"
 
 namespace lancret {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "guides/hair_file.h"
-#include "guides/made_groom.h"
+#include "guides/files/hair_file.h"
+#include "guides/made/made_groom.h"
 #include "tests/abi/plugin.h"
 
 namespace lancret {

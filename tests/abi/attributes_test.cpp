@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "procedural/generator.h"
-#include "procedural/groom_source.h"
+#include "procedural/groom/groom_source.h"
+#include "procedural/groom/ready_groom.h"
 #include "tests/abi/plugin.h"
 
 namespace lancret {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <regex>
 
-#include "guides/hash.h"
+#include "guides/base/hash.h"
 #include "tests/abi/plugin.h"
 
 namespace lancret {

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "guides/guide_cache.h"
-#include "procedural/generator.h"
-#include "procedural/groom_source.h"
-#include "procedural/moving_groom.h"
+#include "guides/files/guide_cache.h"
+#include "procedural/groom/groom_source.h"
+#include "procedural/groom/ready_groom.h"
+#include "procedural/motion/moving_groom.h"
 #include "tests/abi/plugin.h"
 
 namespace lancret {

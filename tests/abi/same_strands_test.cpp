@@ -2,10 +2,10 @@
 
 #include <cstring>
 
-#include "procedural/emission.h"
-#include "procedural/faces.h"
-#include "procedural/generator.h"
-#include "procedural/groom_source.h"
+#include "procedural/expand/faces.h"
+#include "procedural/expand/intervals.h"
+#include "procedural/groom/groom_source.h"
+#include "procedural/groom/ready_groom.h"
 #include "tests/abi/plugin.h"
 
 namespace lancret {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "procedural/check_values.h"
-#include "procedural/generator.h"
-#include "procedural/groom_source.h"
+#include "procedural/check/values.h"
+#include "procedural/groom/groom_source.h"
+#include "procedural/groom/ready_groom.h"
 #include "tests/abi/plugin.h"
 
 namespace lancret {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "procedural/emission.h"
+#include "procedural/expand/intervals.h"
 #include "tests/abi/moving_plugin.h"
 
 namespace lancret {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "procedural/lancret_procedural.h"
-#include "tests/guides/temporary_folder.h"
+#include "tests/guides/base/temporary_folder.h"
 
 namespace lancret {
 

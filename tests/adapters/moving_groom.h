@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "guides/guide_cache.h"
+#include "guides/files/guide_cache.h"
 #include "tests/adapters/abi_groom.h"
 
 namespace lancret {

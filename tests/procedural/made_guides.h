@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "guides/guides.h"
-#include "procedural/blend.h"
+#include "guides/helix/guides.h"
+#include "procedural/blend/blend.h"
 
 namespace lancret::test {
 

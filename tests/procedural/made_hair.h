@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "procedural/binding.h"
-#include "procedural/expand.h"
+#include "procedural/bind/binding.h"
+#include "procedural/expand/expand.h"
 #include "tests/procedural/made_guides.h"
 
 namespace lancret::test {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "guides/strands.h"
+#include "guides/strand/strands.h"
 
 namespace lancret::test {
 

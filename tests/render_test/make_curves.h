@@ -6,9 +6,9 @@
 #include <numbers>
 #include <vector>
 
-#include "guides/triangle_mesh.h"
-#include "procedural/curves.h"
-#include "render_test/sampler.h"
+#include "guides/mesh/triangle_mesh.h"
+#include "procedural/curves/curves.h"
+#include "render_test/sampling/sampler.h"
 
 namespace lancret {
 

@@ -4,7 +4,7 @@
 Usage: mitsuba_hair.py [--each N] > values.csv     (needs: pip install mitsuba)
 
 Each line: beta_m, beta_n, tilt (radian), sigma_a, eta, the sine of the viewer's
-inclination, h, the light's direction in Lancret's local axes (render_test/hair_bsdf.h),
+inclination, h, the light's direction in Lancret's local axes (render_test/material/hair_bsdf.h),
 Mitsuba's value, the value in double, and the same with Mitsuba's own Bessel function.
 Values are f times cosine, 1/sr. Numbers
 that go in are those of single precision, so that all sides start from the same bits; but

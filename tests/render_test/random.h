@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "guides/types.h"
-#include "render_test/sampler.h"
+#include "guides/base/types.h"
+#include "render_test/sampling/sampler.h"
 
 namespace lancret {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "guides/types.h"
+#include "guides/base/types.h"
 
 namespace lancret {
 

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <random>
 
-#include "guides/super_helix.h"
+#include "guides/helix/super_helix.h"
 #include "sim/simulation.h"
-#include "tests/sim/rods.h"
+#include "tests/sim/rod/rods.h"
 
 namespace lancret {
 

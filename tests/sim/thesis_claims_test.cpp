@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "sim/rod_equilibrium.h"
-#include "tests/sim/made_rods.h"
-#include "tests/sim/rod_runs.h"
+#include "sim/equilibrium/equilibrium.h"
+#include "tests/sim/rod/made_rods.h"
+#include "tests/sim/rod/rod_runs.h"
 
 namespace lancret {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "guides/guide_cache.h"
+#include "guides/files/guide_cache.h"
 #include "tests/tools/simulate_runs.h"
 
 namespace lancret {

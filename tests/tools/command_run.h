@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/guides/temporary_folder.h"
+#include "tests/guides/base/temporary_folder.h"
 
 extern "C" char** environ;
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "procedural/density.h"
+#include "procedural/roots/density.h"
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "procedural/expand.h"
+#include "procedural/expand/expand.h"
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "guides/frame_store.h"
-#include "guides/hair_file.h"
+#include "guides/files/frame_store.h"
+#include "guides/files/hair_file.h"
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {

@@ -12,9 +12,9 @@
 #include <set>
 #include <sstream>
 
-#include "guides/curve.h"
-#include "guides/guide_cache.h"
-#include "render_test/image.h"
+#include "guides/files/guide_cache.h"
+#include "guides/strand/curve.h"
+#include "render_test/image/image.h"
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {

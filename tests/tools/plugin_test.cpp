@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "render_test/image.h"
+#include "render_test/image/image.h"
 #include "tests/tools/small_grooms.h"
 #include "tests/tools/view_layers.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "guides/guide_cache.h"
-#include "guides/super_helix.h"
+#include "guides/files/guide_cache.h"
+#include "guides/helix/super_helix.h"
 #include "tests/tools/simulate_runs.h"
 
 namespace lancret {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
-#include "guides/hair_file.h"
-#include "guides/made_groom.h"
-#include "guides/obj_file.h"
-#include "tests/guides/meshes.h"
+#include "guides/files/hair_file.h"
+#include "guides/files/obj_file.h"
+#include "guides/made/made_groom.h"
+#include "tests/guides/mesh/meshes.h"
 #include "tests/tools/command_run.h"
 
 namespace lancret {

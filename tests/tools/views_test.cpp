@@ -3,8 +3,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "guides/frame_store.h"
-#include "render_test/contact_sheet.h"
+#include "guides/files/frame_store.h"
+#include "render_test/image/contact_sheet.h"
 #include "tests/tools/small_grooms.h"
 #include "tests/tools/view_layers.h"
 

@@ -1,0 +1,57 @@
+#include <stdexcept>
+
+#include "guides/files/guide_cache.h"
+#include "guides/files/guide_cache_reader.h"
+
+namespace lancret {
+
+using namespace hdf5;
+
+namespace {
+
+/// A name costs a file a few bytes, but us a dataset.
+constexpr hsize_t kMostArrays = 1000;
+
+std::string name_of_link(const Reader& reader, hsize_t index) {
+    const auto ask = [&](char* to, std::size_t size) {
+        return H5Lget_name_by_idx(reader.file, ".", H5_INDEX_NAME, H5_ITER_INC, index, to,
+                                  size, H5P_DEFAULT);
+    };
+    const ssize_t size = ask(nullptr, 0);
+    if (size < 1) fail(reader.path, fmt::format("group '{}' cannot be read", kRestart));
+    std::string name(std::size_t(size) + 1, '\0');
+    ask(name.data(), name.size());
+    name.pop_back();
+    return name;
+}
+
+}  // namespace
+
+Restart read_restart(const std::filesystem::path& path) {
+    const Session session;
+    const Handle file = open_file(path);
+    if (!Reader{path, file}.has(kRestart)) {
+        fail(path, fmt::format("no group '{}': a run cannot go on from here", kRestart));
+    }
+    const Handle group(H5Gopen2(file, kRestart, H5P_DEFAULT), H5Gclose);
+    H5G_info_t info{};
+    if (!group.good() || H5Gget_info(group, &info) < 0) {
+        fail(path, fmt::format("'{}' is not a group, or a broken one", kRestart));
+    }
+    if (info.nlinks > kMostArrays) {
+        fail(path, fmt::format("group '{}' holds {} arrays, expected at most {}",
+                               kRestart, info.nlinks, kMostArrays));
+    }
+    const Reader reader{path, group};
+    Restart out;
+    out.job = reader.text("job");
+    for (hsize_t i = 0; i < info.nlinks; ++i) {
+        const std::string name = name_of_link(reader, i);
+        std::vector<hsize_t> shape{kAnyOrNone};
+        const Handle data = reader.dataset(name.c_str(), shape);
+        out.arrays[name] = reader.read(name.c_str(), data, {0}, shape);
+    }
+    return out;
+}
+
+}  // namespace lancret

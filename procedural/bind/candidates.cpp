@@ -1,0 +1,115 @@
+#include "procedural/bind/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "procedural/bind/binding.h"
+#include "procedural/bind/weights.h"
+
+namespace lancret {
+
+namespace {
+
+/// 1 for normals within half of the greatest angle of each other, falling smoothly to 0
+/// at the whole of it.
+double angle_share(const Vec3& up, const Vec3f& guide_up, double max_angle) {
+    if (!std::isfinite(max_angle)) return 1;
+    const Vec3 other = guide_up.cast<double>();
+    const double angle = std::atan2(up.cross(other).norm(), up.dot(other));
+    const double t = std::clamp(2 - 2 * angle / max_angle, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+GuideIndex::GuideIndex(std::span<const Vec3> roots,
+                       std::span<const std::uint32_t> regions)
+    : one_region_(regions.empty()) {
+    all_.tree = std::make_unique<PointTree>(roots);
+    for (std::size_t g = 0; g < regions.size(); ++g) {
+        Group& group = groups_[regions[g]];
+        group.guides.push_back(std::uint32_t(g));
+        group.roots.push_back(roots[g]);
+    }
+    for (auto& [region, group] : groups_) {
+        group.tree = std::make_unique<PointTree>(group.roots);
+    }
+}
+
+const GuideIndex::Group* GuideIndex::of(std::uint32_t region) const {
+    if (one_region_) return &all_;
+    const auto found = groups_.find(region);
+    return found == groups_.end() ? nullptr : &found->second;
+}
+
+std::optional<std::size_t> Candidates::first_in_sight() const {
+    for (std::size_t j = 0; j < size; ++j) {
+        if (sights[j] > 0) return j;
+    }
+    return std::nullopt;
+}
+
+/// Sets sights and shares; returns the sum of shares.
+double CandidateFinder::set_shares(const Vec3& place, const Vec3& up) {
+    seen_.clear();
+    if (partings_ && out_.size > 0) {
+        partings_->seen_from(place, up, out_.distances[out_.size - 1], seen_, scratch_);
+    }
+    double sum = 0;
+    for (std::size_t j = 0; j < out_.size; ++j) {
+        const std::uint32_t g = out_.guides[j];
+        double& seen = out_.sights[j];
+        seen = seen_.empty()
+                   ? 1
+                   : sight(seen_place(place, up, guides_.root_positions[g]), seen_);
+        const bool near = out_.distances[j] < settings_.max_distance;
+        out_.shares[j] = near && seen > 0
+                             ? seen * angle_share(up, normals_[g], settings_.max_angle)
+                             : 0;
+        sum += out_.shares[j];
+    }
+    return sum;
+}
+
+const Candidates& CandidateFinder::find(const Vec3& place, const Vec3& up,
+                                        std::uint32_t region, std::size_t k) {
+    const GuideIndex::Group* group = index_.of(region);
+    out_.strange = group == nullptr;
+    if (!group) group = &index_.all();
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    std::size_t want = k + 1;
+    double sum = 0, last = kFar;
+    while (true) {
+        out_.size = group->tree->nearest(place, {out_.guides.data(), want},
+                                         {squared_.data(), want});
+        for (std::size_t j = 0; j < out_.size; ++j) {
+            out_.distances[j] = std::sqrt(squared_[j]);
+            if (!group->guides.empty()) out_.guides[j] = group->guides[out_.guides[j]];
+        }
+        sum = set_shares(place, up);
+        const bool all = out_.size < want;
+        last = all ? kFar : out_.distances[out_.size - 1];
+        // Sums of whole shares are exact.
+        const bool far_enough =
+            last >= settings_.max_distance && out_.first_in_sight().has_value();
+        if (all || sum >= double(k + 1) || far_enough || want == kMaxCandidates) {
+            break;
+        }
+        want = std::min(4 * want, kMaxCandidates);
+    }
+    last = std::min(last, settings_.max_distance);
+    if (sum == double(out_.size)) {  // nothing in the way: the nearest k
+        out_.reach = out_.size > k ? std::min(out_.distances[k], last) : last;
+        out_.within = std::min(k, out_.size);
+    } else {
+        out_.reach = neighbour_reach({out_.distances.data(), out_.size},
+                                     {out_.shares.data(), out_.size}, k, last);
+        const auto end = out_.distances.begin() + std::ptrdiff_t(out_.size);
+        const auto beyond =
+            std::upper_bound(out_.distances.begin(), end, out_.reach * (1 + 1e-9));
+        out_.within = std::size_t(beyond - out_.distances.begin());
+    }
+    return out_;
+}
+
+}  // namespace lancret

@@ -1,0 +1,35 @@
+#pragma once
+// Children in chunks that lie together on the scalp.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "guides/base/types.h"
+
+namespace lancret {
+
+inline constexpr std::uint32_t kStrandsAChunk = 4096;
+
+/// A permutation of the children, cut into chunks.
+struct Chunks {
+    std::vector<std::uint32_t> children;  ///< ids, chunk after chunk, ascending in each
+    std::vector<std::uint32_t> first;     ///< [size + 1], into `children`
+
+    std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
+    std::span<const std::uint32_t> of(std::size_t chunk) const {
+        return std::span(children).subspan(first[chunk], first[chunk + 1] - first[chunk]);
+    }
+    std::size_t bytes() const {
+        return (children.size() + first.size()) * sizeof(std::uint32_t);
+    }
+};
+
+/// Cuts `count` children into ceil(count / most) chunks of nearly equal size, none larger
+/// than `most` >= 1: again and again across the longest side of the box of their roots.
+/// The same for any number of threads: children at one place are told apart by their ids.
+Chunks make_chunks(std::size_t count, const std::function<Vec3f(std::uint32_t)>& root,
+                   std::uint32_t most = kStrandsAChunk);
+
+}  // namespace lancret

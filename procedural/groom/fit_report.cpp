@@ -1,0 +1,35 @@
+#include "procedural/groom/fit_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "procedural/evaluate/strand_figures.h"
+
+namespace lancret {
+
+nlohmann::json fit_json(const GroomGuides& source) {
+    std::vector<double> rms;
+    for (const FitReport& fit : source.fits) rms.push_back(fit.rms / fit.length);
+    return {
+        {"groom_strands", source.groom_strands},
+        {"guides", source.guides.size()},
+        {"segments", source.guides.segments},
+        {"fit",
+         {{"rms_over_length_median", quantile(rms, 0.5)},
+          {"rms_over_length_p95", quantile(rms, 0.95)},
+          {"rms_over_length_max", quantile(rms, 1)}}},
+        {"roots",
+         {{"snapped", source.snapped_roots}, {"largest_snap_cm", source.largest_snap}}},
+    };
+}
+
+std::string roots_line(const GroomGuides& source) {
+    if (source.snapped_roots == 0) return {};
+    return fmt::format(
+        "{} of {} guide roots were off the scalp and were put on it; the farthest moved "
+        "{:.3f} cm",
+        source.snapped_roots, source.guides.size(), source.largest_snap);
+}
+
+}  // namespace lancret

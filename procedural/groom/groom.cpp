@@ -1,0 +1,199 @@
+#include "procedural/groom/groom.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "guides/base/coordinates.h"
+#include "guides/base/errors.h"
+#include "procedural/roots/density.h"
+
+namespace lancret {
+
+namespace {
+
+constexpr std::uint32_t kDefaultGuides = 500;
+constexpr std::uint32_t kDefaultChildren = 50000;
+constexpr std::int64_t kMostStrands = 100'000'000;
+constexpr std::string_view kAxes[] = {"X", "Y", "Z"};
+constexpr std::string_view kBases[] = {"catmull-rom", "bspline"};
+constexpr std::string_view kCurveBases[] = {"bspline", "hermite"};
+constexpr std::string_view kMadeKinds[] = {"head", "lawn"};
+constexpr std::string_view kShapes[] = {"flat", "round", "ribbon"};
+
+template <class T, class U>
+void set(T& to, const std::optional<U>& value) {
+    if (value) to = T(*value);
+}
+
+void read_scene(const TomlTable& scene, SceneUnits& out) {
+    if (const auto axis = scene.choice("up", kAxes)) {
+        out.up = Vec3::Unit(int(*axis));
+        out.gravity = -981 * out.up;
+    }
+    set(out.metres_per_unit, scene.number("metres_per_unit", 1e-6, 1e6));
+    set(out.gravity, scene.vector("gravity"));
+}
+
+void read_made(const TomlTable& made, MadeGroomSettings& out) {
+    if (const auto kind = made.choice("kind", kMadeKinds)) out.kind = MadeKind(*kind);
+    set(out.strands, made.integer("strands", 1, 1'000'000));
+    set(out.seed, made.seed("seed"));
+    set(out.shortest, made.number("shortest", 0.1, 200));
+    set(out.longest, made.number("longest", 0.1, 200));
+    if (out.shortest > out.longest) {
+        made.fail(made.has("shortest") ? "shortest" : "longest",
+                  fmt::format("the shortest strand, {} cm, must not be longer than the "
+                              "longest, {} cm",
+                              out.shortest, out.longest));
+    }
+    set(out.curl_radius, made.number("curl_radius", 0, 10));
+    set(out.curl_wavelength, made.number("curl_wavelength", 0.1, 100));
+    set(out.frizz, made.number("frizz", 0, 10));
+    set(out.points, made.integer("points", 4, 1024));
+    set(out.phase_spread, made.number("phase_spread", 0, 1));
+    set(out.length_spread, made.number("length_spread", 0, 0.9));
+}
+
+void read_guides(const TomlTable& guides, Groom& out) {
+    set(out.strands_file, guides.path("file"));
+    if (guides.has("file") && guides.has("made")) {
+        guides.fail("made", "a groom has either a 'file' or is 'made', not both");
+    }
+    read_made(guides.table("made"), out.made);
+    if (const auto basis = guides.choice("basis", kBases)) {
+        out.basis = *basis == 0 ? Basis::catmull_rom : Basis::bspline;
+    }
+    set(out.guides.number, guides.integer("count", 1, kMostStrands));
+    set(out.guides.share, guides.number("share", 0, 1));
+    // What a caller says takes the place of what the file says.
+    const bool own_count = guides.is_laid_over("count"),
+               own_share = guides.is_laid_over("share");
+    if (own_count && !own_share) out.guides.share.reset();
+    if (own_share && !own_count) out.guides.number.reset();
+    if (out.guides.number && out.guides.share) {
+        guides.fail("share", "guides are chosen by 'count' or by 'share', not both");
+    }
+    set(out.fit.segments, guides.integer("segments", 1, 200));
+    set(out.fit.fit_root_frame, guides.boolean("fit_root_frame"));
+}
+
+void read_strands(const TomlTable& strands, Groom& out) {
+    set(out.strands, strands.integer("count", 1, kMostStrands));
+    set(out.seed, strands.seed("seed"));
+    set(out.density, strands.number("density", kLeastDensity, 1));
+    std::vector<std::string_view> blends;
+    for (const BlendName& entry : kBlendNames) blends.push_back(entry.name);
+    if (const auto blend = strands.choice("blend", blends)) {
+        out.expand.blend = kBlendNames[*blend].blend;
+    }
+    set(out.bind.neighbours, strands.integer("neighbours", 1, kMaxNeighbours));
+    set(out.bind.exponent, strands.number("exponent", 0, 16));
+    set(out.bind.facing, strands.boolean("facing"));
+    set(out.bind.max_distance, strands.number("max_distance", 1e-3, 1e6));
+    if (const auto degrees = strands.number("max_angle_degrees", 0.1, 180)) {
+        out.bind.max_angle = *degrees * std::numbers::pi / 180;
+    }
+    set(out.bind.length_scale, strands.number("length_scale", 0.001, 100));
+    set(out.tolerance, strands.number("tolerance", 1e-4, 10));
+    if (const auto n = strands.integer("intervals", 1, 1000)) out.intervals = int(*n);
+    set(out.adapt, strands.boolean("adapt"));
+    if (const auto basis = strands.choice("curve", kCurveBases)) {
+        out.expand.basis = *basis == 0 ? CurveBasis::bspline : CurveBasis::hermite;
+    }
+    if (const auto shape = strands.choice("shape", kShapes)) {
+        out.expand.shape = CurveShape(*shape);
+    }
+    if (out.expand.shape == CurveShape::ribbon &&
+        out.expand.basis == CurveBasis::hermite) {
+        strands.fail("shape",
+                     "a 'ribbon' is drawn as B-splines: leave 'curve' at bspline");
+    }
+}
+
+void read_borders(const TomlTable& toml, Groom& out) {
+    const TomlTable regions = toml.table("regions");
+    set(out.regions.texture, regions.path("texture"));
+    set(out.regions.ids, regions.path("ids"));
+    if (regions.has("texture") && regions.has("ids")) {
+        regions.fail("ids", "regions come from a 'texture' or from 'ids', not from both");
+    }
+    for (const TomlTable& parting : toml.tables("partings")) {
+        auto points = parting.vectors("points", 2);
+        if (!points) {
+            parting.fail("points",
+                         "a parting needs 'points', a list of two or more [x, y, z]");
+        }
+        for (Vec3& p : *points) {
+            p *= out.scene.centimetres_per_unit();
+            if (!(p.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
+                parting.fail("points", fmt::format("a parting must be within {:.0e} cm",
+                                                   kLargestCoordinate));
+            }
+        }
+        out.partings.push_back(std::move(*points));
+    }
+}
+
+}  // namespace
+
+std::uint32_t GuideCount::of(std::size_t strands) const {
+    const std::uint32_t all = std::uint32_t(strands);
+    if (number) return std::min(*number, all);
+    if (share)
+        return std::clamp<std::uint32_t>(std::uint32_t(std::lround(*share * all)), 1,
+                                         all);
+    return std::min(kDefaultGuides, all);
+}
+
+std::uint32_t child_count(const Groom& groom, bool on_scalp, std::size_t roots) {
+    return groom.strands.value_or(on_scalp ? kDefaultChildren : std::uint32_t(roots));
+}
+
+GuideCount parse_guide_count(const std::string& text, const std::string& where) {
+    GuideCount out;
+    std::size_t used = 0;
+    double value = 0;
+    try {
+        // A plain number: neither hexadecimal nor with an exponent.
+        if (text.find_first_not_of("0123456789.%") == std::string::npos) {
+            value = std::stod(text, &used);
+        }
+    } catch (const std::exception&) {
+        used = 0;
+    }
+    const std::string unit = text.substr(used);
+    if (used > 0 && unit == "%" && value > 0 && value <= 100) {
+        out.share = value / 100;
+    } else if (used > 0 && unit.empty() && value >= 1 && value <= double(kMostStrands) &&
+               value == std::floor(value)) {
+        out.number = std::uint32_t(value);
+    } else {
+        throw InputError(fmt::format(
+            "{}: '{}' is no number of guides; give a whole number or a share such as 5%",
+            where, text));
+    }
+    return out;
+}
+
+Groom read_groom(const TomlTable& toml, std::string name) {
+    Groom out;
+    out.name = std::move(name);
+    read_scene(toml.table("scene"), out.scene);
+    read_guides(toml.table("guides"), out);
+    const TomlTable scalp = toml.table("scalp");
+    set(out.scalp_file, scalp.path("file"));
+    set(out.growth_distance, scalp.number("growth_distance", 1e-3, 1e4));
+    read_strands(toml.table("strands"), out);
+    read_borders(toml, out);
+    const TomlTable width = toml.table("width");
+    // The file speaks of widths, the curves of radii.
+    if (const auto root = width.number("root", 0, 10))
+        out.expand.taper.root = float(*root / 2);
+    if (const auto tip = width.number("tip", 0, 10))
+        out.expand.taper.tip = float(*tip / 2);
+    return out;
+}
+
+}  // namespace lancret

@@ -1,0 +1,78 @@
+#include "procedural/groom/groom_source.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "guides/base/errors.h"
+#include "guides/files/guide_cache.h"
+#include "guides/toml/text.h"
+
+namespace lancret {
+
+namespace {
+
+constexpr std::string_view kOthersTables[] = {"camera", "light",    "material",
+                                              "render", "dynamics", "colliders"};
+
+/// The groom that a cache of guides names, where it is a .toml that is there; else
+/// nothing: then the guides stand by themselves.
+std::filesystem::path groom_of_cache(const std::filesystem::path& cache) {
+    const std::filesystem::path groom = guide_cache_info(cache).groom;
+    std::error_code unknown;  // counts as not there
+    const bool there = std::filesystem::is_regular_file(groom, unknown);
+    return there && groom.extension() == ".toml" ? groom : std::filesystem::path();
+}
+
+}  // namespace
+
+SourcedGroom read_groom_source(const GroomSource& source) {
+    const bool from_text = source.text || source.path.empty();
+    const std::string extension = source.path.extension().string();
+    const bool cache = !from_text && extension == ".h5";
+    const bool strands = !from_text && extension == ".hair";
+    if (!from_text && extension != ".toml" && !cache && !strands) {
+        throw InputError(fmt::format("{}: a groom is a .toml, .hair or .h5 file",
+                                     source.path.string()));
+    }
+    const std::filesystem::path file = cache ? groom_of_cache(source.path) : source.path;
+    const bool by_itself = strands || (cache && file.empty());
+    const std::string name = source.path.empty()      ? "groom"
+                             : from_text || by_itself ? source.path.string()
+                                                      : file.string();
+    const std::filesystem::path folder =
+        from_text && !source.folder.empty() ? source.folder : file.parent_path();
+    std::string text = from_text   ? source.text.value_or("")
+                       : by_itself ? std::string()
+                                   : toml_file_text(file);
+    TomlTable toml = TomlTable::from_text(text, name, folder);
+    for (const GroomParameter& parameter : source.parameters) {
+        if (parameter.text) {
+            toml.lay_over(parameter.name, *parameter.text);
+        } else {
+            toml.lay_over(parameter.name, parameter.number);
+        }
+    }
+    SourcedGroom out{read_groom(toml, name), {}, std::move(text)};
+    Groom& groom = out.groom;
+    out.motion = read_motion(toml.table("motion"), groom.scene.centimetres_per_unit());
+    for (const std::string_view key : kOthersTables) toml.leave(key);
+    toml.finish();
+    if (by_itself) {
+        groom.strands_file = source.path;
+    } else if (cache) {
+        groom.guides_file = source.path;
+    }
+    if (source.strands && !groom.guides_file.empty()) {
+        throw InputError(fmt::format(
+            "{}: has guides of its own, {}, expected none beside the host's strands",
+            name, groom.guides_file.string()));
+    }
+    groom.own_strands = source.strands;
+    groom.own_scalp = source.scalp;
+    if (groom.own_strands) groom.strands_file.clear();
+    if (groom.own_scalp) groom.scalp_file.clear();
+    return out;
+}
+
+}  // namespace lancret

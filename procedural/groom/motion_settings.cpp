@@ -1,0 +1,96 @@
+#include "procedural/groom/motion_settings.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "guides/base/errors.h"
+#include "procedural/groom/groom_guides.h"
+
+namespace lancret {
+
+namespace {
+
+constexpr double kMostFrame = 1e6, kMostCoordinate = 1e6;
+
+template <class T, class U>
+void set(T& to, const std::optional<U>& value) {
+    if (value) to = T(*value);
+}
+
+}  // namespace
+
+std::optional<Vec3> bounded_vector(const TomlTable& table, std::string_view key) {
+    const auto value = table.vector(key);
+    if (value && value->cwiseAbs().maxCoeff() > kMostCoordinate) {
+        table.fail(key, fmt::format("'{}' must be within {} in each direction", key,
+                                    kMostCoordinate));
+    }
+    return value;
+}
+
+void read_motion_keys(const TomlTable& table, MotionSettings& out) {
+    set(out.pivot, bounded_vector(table, "pivot"));
+    for (const TomlTable& key : table.tables("keys")) {
+        PoseKey pose;
+        const auto frame = key.number("frame", -kMostFrame, kMostFrame);
+        if (!frame) key.fail("", "a key needs its 'frame'");
+        pose.frame = *frame;
+        if (!out.keys.empty() && pose.frame < out.keys.back().frame + 1e-6) {
+            key.fail("frame", "the frames of keys must rise");
+        }
+        set(pose.translation, bounded_vector(key, "move"));
+        set(pose.rotation, bounded_vector(key, "turn"));
+        out.keys.push_back(pose);
+    }
+}
+
+MotionSettings read_motion(const TomlTable& table, double centimetres_per_unit) {
+    MotionSettings out;
+    out.files.centimetres_per_unit = centimetres_per_unit;
+    read_motion_keys(table, out);
+    if (const auto files = table.path("files")) {
+        if (!out.keys.empty()) {
+            table.fail("files", "a head moves by 'keys' or by 'files', not both");
+        }
+        out.files.pattern = files->string();
+        const auto first = table.integer("first", 0, std::int64_t(kMostFrame));
+        const auto last = table.integer("last", 0, std::int64_t(kMostFrame));
+        if (!first || !last || *first > *last) {
+            table.fail("files",
+                       "needs the frames that there are files for, 'first' and "
+                       "'last'");
+        }
+        out.files.first = int(*first);
+        out.files.last = int(*last);
+    }
+    return out;
+}
+
+ScalpMotion scalp_motion(const MotionSettings& settings, const TriangleMesh* rest,
+                         double frames_per_second) {
+    if (!settings.files.pattern.empty()) {
+        if (!rest) {
+            throw InputError(fmt::format("{}: moves a scalp, and the groom has none",
+                                         settings.files.pattern));
+        }
+        ObjSequence files = settings.files;
+        files.frames_per_second = frames_per_second;
+        return MeshSequence(std::move(files), *rest);
+    }
+    std::vector<PoseKey> keys = settings.keys;
+    if (keys.empty()) keys.push_back({});
+    return make_rigid_path(std::move(keys), settings.pivot, frames_per_second);
+}
+
+ScalpPoseAt head_pose(const MotionSettings& motion, const Groom& groom) {
+    if (motion.keys.empty() && motion.files.pattern.empty()) return {};
+    std::optional<TriangleMesh> rest;
+    if (!motion.files.pattern.empty()) rest = read_scalp_mesh(groom);
+    constexpr double kFramesPerSecond = 24;  // poses have no use for speeds
+    const auto path = std::make_shared<const ScalpMotion>(
+        scalp_motion(motion, rest ? &*rest : nullptr, kFramesPerSecond));
+    return [path](double frame) { return scalp_pose(scalp_at(*path, frame)); };
+}
+
+}  // namespace lancret

@@ -1,0 +1,74 @@
+#include "procedural/groom/ready_groom.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "guides/base/errors.h"
+#include "guides/base/stopwatch.h"
+#include "procedural/expand/faces.h"
+#include "procedural/groom/children.h"
+
+namespace lancret {
+
+namespace {
+
+/// The children that the groom's density leaves.
+Roots grown_roots(const Groom& groom, const GroomGuides& source, RootPlaces places) {
+    if (groom.density == 1) {
+        return roots_at(source.scalp ? &*source.scalp : nullptr, std::move(places));
+    }
+    std::vector<std::uint32_t> ids(places.size());
+    std::iota(ids.begin(), ids.end(), 0u);
+    Roots out = pruned_roots(groom, source, places, ids, groom.density);
+    if (out.size() == 0) {
+        throw InputError(fmt::format("{}: of {} strands a density of {} leaves none",
+                                     groom.name, ids.size(), groom.density));
+    }
+    return out;
+}
+
+}  // namespace
+
+ClassedGuides rest_guides(const Generator& generator) {
+    return classed_guides(generator.source.guides, generator.classes,
+                          generator.binding.guide_normals, generator.groom.expand.blend);
+}
+
+Eigen::AlignedBox3f guide_box(const Generator& generator) {
+    const GuideProfiles<float>& profiles = generator.profiles;
+    const float scale = generator.groom.bind.length_scale;
+    Eigen::AlignedBox3f box;
+    const std::size_t places = std::size_t(profiles.count) + 1;
+    for (std::size_t g = 0; g < profiles.size(); ++g) {
+        const Vec3f root = generator.source.guides.root_positions[g].cast<float>();
+        for (std::size_t i = 0; i < places; ++i) {
+            const Vec3f local = scale * profiles.positions[g * places + i];
+            box.extend(root + profiles.root_frames[g] * local);
+        }
+    }
+    return box;
+}
+
+Generator make_generator(const Groom& groom, const StageCallback& stage) {
+    Generator out;
+    out.groom = groom;
+    out.source = groom_guides(groom, stage);
+    out.seconds = out.source.seconds;
+    if (stage) stage("bind");
+    Stopwatch watch;
+    RootPlaces places = child_places(groom, out.source);
+    out.sample = sample_of_children(groom, out.source, places);
+    out.binding = bind_children(groom, out.source,
+                                grown_roots(groom, out.source, std::move(places)));
+    const int finest = child_intervals(groom, out.source, out.sample);
+    out.profiles = guide_profiles<float>(out.source.guides, finest);
+    out.classes = child_classes(groom, out.source, out.sample, finest);
+    out.binding = in_class_order(std::move(out.binding), out.classes);
+    if (groom.expand.has_faces())
+        out.binding.faces = rest_faces(out.binding, out.profiles, groom.expand.blend);
+    out.seconds.bind = watch.lap();
+    return out;
+}
+
+}  // namespace lancret

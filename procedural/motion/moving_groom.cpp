@@ -1,0 +1,191 @@
+#include "procedural/motion/moving_groom.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "guides/base/errors.h"
+#include "guides/motion/guides_between.h"
+#include "procedural/expand/class_choice.h"
+#include "procedural/expand/intervals.h"
+
+namespace lancret {
+
+std::filesystem::path cache_of(const Groom& groom) {
+    if (!groom.guides_file.empty()) return groom.guides_file;
+    return groom.strands_file.extension() == ".h5" ? groom.strands_file
+                                                   : std::filesystem::path();
+}
+
+GroomTimes groom_times(const Groom& groom, ScalpPoseAt pose_at) {
+    GroomTimes out;
+    out.pose_at = std::move(pose_at);
+    out.cache = cache_of(groom);
+    if (out.moves()) out.info = guide_cache_info(out.cache);
+    return out;
+}
+
+namespace {
+
+/// visit(frame, guides, sample) for frames spread over the whole cache; the sample stands
+/// for all children, at any density, and is where it is then.
+template <class Visit>
+void each_measured_frame(const Generator& generator, const GroomTimes& times,
+                         const Visit& visit) {
+    if (!times.moves() || times.info.frames < 2) return;
+    constexpr int kMeasured = 13;
+    Binding sample = generator.sample;
+    const RestPlaces rest = rest_places(sample, generator.source);
+    const int n = std::min(kMeasured, times.info.frames);
+    for (int i = 0; i < n; ++i) {
+        const int frame =
+            times.info.first_frame + (times.info.frames - 1) * i / std::max(n - 1, 1);
+        const Guides guides = guides_at(times, rest.guide_places, frame);
+        pose_binding(sample, rest,
+                     times.pose_at ? times.pose_at(frame) : ScalpPose(RigidPose{}));
+        visit(frame, guides, sample);
+    }
+}
+
+}  // namespace
+
+StrandClasses classes_in_time(const Generator& generator, const GroomTimes& times,
+                              CurveBasis basis, double tolerance, int finest) {
+    ExpandSettings settings = generator.groom.expand;
+    settings.basis = basis;
+    StrandClasses all = coarsest_classes(generator.source.guides, finest);
+    const auto refine = [&](const Binding& sample, const Guides& guides) {
+        refine_classes(all, sample, guides, tolerance, settings);
+    };
+    refine(generator.sample, generator.source.guides);
+    each_measured_frame(generator, times,
+                        [&](int, const Guides& guides, const Binding& sample) {
+                            refine(sample, guides);
+                        });
+    return used_classes(all);
+}
+
+int intervals_in_time(const Generator& generator, const GroomTimes& times,
+                      CurveBasis basis, double tolerance, int most, double* reached) {
+    const Blend blend = generator.groom.expand.blend;
+    double distance = 0;
+    int out = intervals_within(generator.sample, generator.source.guides, blend,
+                               tolerance, basis, most, &distance);
+    double farthest = distance;
+    each_measured_frame(
+        generator, times, [&](int frame, const Guides& guides, const Binding& sample) {
+            try {
+                out = std::max(out, intervals_within(sample, guides, blend, tolerance,
+                                                     basis, most, &distance));
+                farthest = std::max(farthest, distance);
+            } catch (const InputError& error) {
+                throw InputError(fmt::format("{}: frame {}: {}", times.cache.string(),
+                                             frame, error.what()));
+            }
+        });
+    if (reached) *reached = farthest;
+    return out;
+}
+
+RestPlaces prepare_frames(Generator& generator, const GroomTimes& times) {
+    const Groom& groom = generator.groom;
+    if (times.moves() && times.info.frames > 1 && !groom.intervals) {
+        const int intervals =
+            std::max(generator.profiles.count,
+                     intervals_in_time(generator, times, groom.expand.basis,
+                                       groom.tolerance, kMostIntervals));
+        if (intervals != generator.profiles.count) {
+            generator.profiles =
+                guide_profiles<float>(generator.source.guides, intervals);
+        }
+        generator.classes = groom.adapts()
+                                ? classes_in_time(generator, times, groom.expand.basis,
+                                                  groom.tolerance, intervals)
+                                : StrandClasses{{intervals}};
+        generator.binding =
+            in_class_order(std::move(generator.binding), generator.classes);
+    }
+    return rest_places(generator.binding, generator.source);
+}
+
+Guides guides_at(const GroomTimes& times, std::span<const MeshPoint> guide_places,
+                 double frame) {
+    const auto read = [&](int f) {
+        return read_guide_cache(times.cache, f - times.first());
+    };
+    const int whole = int(std::floor(frame));
+    const double share = frame - whole;
+    if (share == 0) return read(whole);
+    const Guides from = read(whole), to = read(whole + 1);
+    std::optional<Guides> before, after;
+    if (whole > times.first()) before = read(whole - 1);
+    if (whole + 1 < times.last()) after = read(whole + 2);
+    const GuideKeys keys{&from, &to, before ? &*before : nullptr,
+                         after ? &*after : nullptr};
+    if (!times.pose_at) return guides_between(keys, share);
+    const auto carriers_at = [&](double f) {
+        return carriers(times.pose_at(f), guide_places, from.size());
+    };
+    RootCarriers roots{
+        carriers_at(whole), carriers_at(whole + 1), {}, {}, carriers_at(frame)};
+    if (before) roots.before = carriers_at(whole - 1);
+    if (after) roots.after = carriers_at(whole + 2);
+    return guides_between(keys, share, InTime::frames, &roots);
+}
+
+FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
+                       const GroomTimes& times, double frame) {
+    FrameState out;
+    if (times.cache.empty()) {
+        out.guides = generator.source.guides;
+    } else {
+        out.guides = guides_at(times, rest.guide_places, frame);
+        if (times.pose_at) out.pose = times.pose_at(frame);
+    }
+    out.scalp_roots = pose_binding(generator.binding, rest, out.pose);
+    out.classed =
+        classed_guides(out.guides, generator.classes, generator.binding.guide_normals,
+                       generator.groom.expand.blend);
+    return out;
+}
+
+namespace {
+
+bool same(const Guides& a, const Guides& b) {
+    return a.segments == b.segments && a.root_positions == b.root_positions &&
+           a.root_frames == b.root_frames && a.segment_lengths == b.segment_lengths &&
+           a.curvatures == b.curvatures;
+}
+
+bool same(const ScalpPose& a, const ScalpPose& b) {
+    if (a.index() != b.index()) return false;
+    if (const auto* mesh = std::get_if<TriangleMesh>(&a)) {
+        return mesh->positions == std::get<TriangleMesh>(b).positions;
+    }
+    const auto& x = std::get<RigidPose>(a);
+    const auto& y = std::get<RigidPose>(b);
+    return x.rotation == y.rotation && x.translation == y.translation;
+}
+
+}  // namespace
+
+bool is_still(const GroomTimes& times, std::span<const MeshPoint> guide_places,
+              std::span<const double> frames) {
+    const bool one =
+        std::ranges::adjacent_find(frames, std::not_equal_to{}) == frames.end();
+    if (!times.moves() || one) return true;
+    const auto pose_at = [&](double frame) {
+        return times.pose_at ? times.pose_at(frame) : ScalpPose();
+    };
+    const ScalpPose pose = pose_at(frames[0]);
+    const Guides guides = guides_at(times, guide_places, frames[0]);
+    return std::ranges::all_of(frames.subspan(1), [&](double frame) {
+        return frame == frames[0] ||
+               (same(pose, pose_at(frame)) &&
+                same(guides, guides_at(times, guide_places, frame)));
+    });
+}
+
+}  // namespace lancret

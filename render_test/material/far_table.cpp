@@ -1,0 +1,184 @@
+// The tables of far-field lobes, row by row of the viewer's inclination.
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_test/material/far_lobes.h"
+#include "render_test/sampling/sampling.h"
+
+namespace lancret {
+namespace {
+
+using Eigen::Array4f, Eigen::ArrayXf;
+
+constexpr int kRowCount = kFarRows + 1, kDepthCount = kFarDepths + 1;
+
+/// Offsets h = sin(gamma), gamma at the middles of even steps. R and TT turn by at most
+/// two steps from one to the next and TRT by six, so steps of a quarter of the lobes'
+/// scale s keep a sum of lobes smooth.
+constexpr int kLeastOffsets = 64, kMostOffsets = 1024;
+
+/// One offset h > 0 at one inclination.
+struct Offset {
+    float weight;                  ///< these sum to one
+    float reflected;               ///< Fresnel's f
+    float c;                       ///< cosine of gamma_t
+    std::array<float, 3> azimuth;  ///< Phi of R, TT, TRT
+};
+
+std::vector<Offset> offsets_at(const HairModel& model, float cosine_o) {
+    const int count =
+        std::clamp(int(std::ceil(2 * kPi / model.s)), kLeastOffsets, kMostOffsets);
+    const float index = std::sqrt(model.eta * model.eta - 1 + cosine_o * cosine_o);
+    std::vector<Offset> offsets;
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+        const float gamma = 0.5f * kPi * (float(i) + 0.5f) / float(count);
+        const float sine_t = std::sin(gamma) * cosine_o / index;
+        const float gamma_t = std::asin(sine_t);
+        Offset o{std::cos(gamma),
+                 fresnel_dielectric(cosine_o * std::cos(gamma), model.eta),
+                 std::sqrt(1 - sine_t * sine_t),
+                 {}};
+        for (int p = 0; p < 3; ++p)
+            o.azimuth[p] = -2 * gamma + float(p) * (2 * gamma_t + kPi);
+        sum += o.weight;
+        offsets.push_back(o);
+    }
+    for (Offset& o : offsets) o.weight /= float(sum);
+    return offsets;
+}
+
+/// D's distribution function, of angles within [-pi, pi] [Chiang et al. 2016, Eq. 8].
+ArrayXf logistic_distribution(const HairModel& model, const ArrayXf& x) {
+    const ArrayXf e = (-x.abs() / model.s).exp();
+    const ArrayXf upper = 1 / (1 + e);
+    return ((x < 0).select(1 - upper, upper) - model.s_tail) / (1 - 2 * model.s_tail);
+}
+
+/// Calls add(cell, mass) with D about `azimuth` as masses around the nodes of phi from 0
+/// to pi; they sum to one, and D and its mirror image count half each.
+template <class Add>
+void spread_over(const HairModel& model, int cells, float azimuth, const Add& add) {
+    constexpr float kReach = 20;  // in s: exp(-20) = 2e-9 of D lies beyond
+    const float step = kPi / float(cells);
+    const int around = 2 * cells;
+    const float first = azimuth - std::min(kPi, kReach * model.s);
+    // The first boundary between nodes that is not before it.
+    const auto boundary = std::ptrdiff_t(std::ceil(first / step - 0.5f));
+    const int count =
+        std::min(around, 1 + int(std::ceil(2 * std::min(kPi, kReach * model.s) / step)));
+    const ArrayXf at =
+        ((ArrayXf::LinSpaced(count, 0, float(count - 1)) + (float(boundary) + 0.5f)) *
+             step -
+         azimuth)
+            .max(-kPi)
+            .min(kPi);
+    const ArrayXf below = logistic_distribution(model, at);
+    for (int i = 0; i < count; ++i) {
+        // What is left is the mass from the last boundary round to the first.
+        const float mass =
+            i + 1 < count ? below[i + 1] - below[i] : 1 - below[count - 1] + below[0];
+        const auto node = int(((boundary + i + 1) % around + around) % around);
+        add(std::min(node, around - node), mass);
+    }
+}
+
+/// The four cubics that are one at one node and zero at the others.
+Array4f lagrange(const Array4f& nodes, float c) {
+    Array4f out = Array4f::Ones();
+    for (int k = 0; k < 4; ++k)
+        for (int j = 0; j < 4; ++j)
+            if (j != k) out[k] *= (c - nodes[j]) / (nodes[k] - nodes[j]);
+    return out;
+}
+
+/// By the trapezium rule on the whole circle: the exact integral of what is linear
+/// between nodes.
+FarTable::Energy integral(const FarTable::Node* nodes, int cells) {
+    FarTable::Energy sum;
+    for (int j = 0; j <= cells; ++j) {
+        const float width = (j == 0 || j == cells ? 1.0f : 2.0f) * kPi / float(cells);
+        sum.r += width * nodes[j].r;
+        sum.tt += width * nodes[j].tt;
+        sum.trt += width * nodes[j].trt;
+    }
+    return sum;
+}
+
+void fill_row(const HairModel& model, int row, FarTable& table) {
+    const int cells = table.cells;
+    FarTable::Node* nodes = &table.nodes[std::size_t(row) * (cells + 1)];
+    Eigen::Map<ArrayXf> residual(&table.residual[std::size_t(row) * kDepthCount],
+                                 kDepthCount);
+    const ArrayXf log_depth =
+        (ArrayXf::LinSpaced(kFarDepths, 1, kFarDepths) / kFarDepths).log();
+    for (const Offset& o : offsets_at(model, float(row) / kFarRows)) {
+        const float enters = 1 - o.reflected;
+        const Array4f through =
+            o.weight * enters * enters * lagrange(table.c, o.c) * float(cells) / kPi;
+        const float surface = o.weight * o.reflected * float(cells) / kPi;
+        // A node within has half of the mass at either sign of phi.
+        const auto share = [&](int j) { return j == 0 || j == cells ? 1.0f : 0.5f; };
+        spread_over(model, cells, o.azimuth[0],
+                    [&](int j, float mass) { nodes[j].r += mass * share(j) * surface; });
+        spread_over(model, cells, o.azimuth[1],
+                    [&](int j, float mass) { nodes[j].tt += mass * share(j) * through; });
+        spread_over(model, cells, o.azimuth[2], [&](int j, float mass) {
+            nodes[j].trt += mass * share(j) * o.reflected * through;
+        });
+        if (!(enters > 0)) continue;
+        // The geometric sum of all longer paths.
+        const float more = o.weight * enters * enters * o.reflected * o.reflected;
+        const ArrayXf t = (o.c * log_depth).exp();
+        residual.tail(kFarDepths) += more * t.cube() / (1 - o.reflected * t);
+    }
+    table.energy[row] = integral(nodes, cells);
+}
+
+std::array<float, 3> unabsorbed(const FarTable::Node& node) {
+    return {node.r, node.tt.sum(), node.trt.sum()};
+}
+
+void fill_distribution(int row, FarTable& table) {
+    const int cells = table.cells;
+    const FarTable::Node* nodes = &table.nodes[std::size_t(row) * (cells + 1)];
+    for (int lobe = 0; lobe < 3; ++lobe) {
+        float* below =
+            &table.distribution[(std::size_t(lobe) * kRowCount + row) * (cells + 1)];
+        double sum = 0;
+        for (int j = 1; j <= cells; ++j) {
+            sum += unabsorbed(nodes[j - 1])[lobe] + unabsorbed(nodes[j])[lobe];
+            below[j] = float(sum);
+        }
+        for (int j = 1; j <= cells; ++j) below[j] = sum > 0 ? below[j] / float(sum) : 1;
+    }
+}
+
+}  // namespace
+
+FarTable::FarTable(const HairModel& model)
+    // Cells of a fifth of D's scale, where that is not too small.
+    : cells(std::clamp(int(std::ceil(kPi / (0.2f * model.s))), 64, 512)),
+      least_c(std::sqrt(1 - 1 / (model.eta * model.eta))),
+      nodes(std::size_t(kRowCount) * (cells + 1)),
+      energy(kRowCount),
+      residual(std::size_t(kRowCount) * kDepthCount),
+      distribution(3 * std::size_t(kRowCount) * (cells + 1)) {
+    for (int k = 0; k < 4; ++k)
+        c[k] = 0.5f * (1 + least_c) +
+               0.5f * (1 - least_c) * std::cos((float(k) + 0.5f) * kPi / 4);
+    tbb::parallel_for(0, kRowCount, [&](int row) {
+        fill_row(model, row, *this);
+        fill_distribution(row, *this);
+    });
+}
+
+std::size_t FarTable::bytes() const {
+    return nodes.size() * sizeof(Node) + energy.size() * sizeof(Energy) +
+           (residual.size() + distribution.size()) * sizeof(float);
+}
+
+}  // namespace lancret

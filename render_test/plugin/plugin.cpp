@@ -1,0 +1,64 @@
+#include "render_test/plugin/plugin.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "guides/base/errors.h"
+
+namespace lancret {
+
+namespace {
+
+/// Found by the run path of the program.
+constexpr const char* kName = "liblancret_procedural.so.1";
+
+std::string library_name() {
+    const char* said = std::getenv("LANCRET_LIBRARY");
+    return said && *said ? said : kName;
+}
+
+}  // namespace
+
+void Plugin::Unload::operator()(void* library) const { dlclose(library); }
+
+Plugin::Plugin() {
+    const std::string name = library_name();
+    library_.reset(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL));
+    if (!library_) {
+        const char* reason = dlerror();
+        throw InputError(fmt::format("{}: cannot be loaded: {}", name,
+                                     reason ? reason : "for no known reason"));
+    }
+    const auto find = [&]<class Function>(const char* function, Function& to) {
+        to = reinterpret_cast<Function>(dlsym(library_.get(), function));
+        if (to) return;
+        throw InputError(
+            fmt::format("{}: has no {}: it is not of this Lancret", name, function));
+    };
+    PluginFunctions& f = functions_;
+    find("lancret_abi_version", f.abi_version);
+    if (f.abi_version() != LANCRET_ABI_VERSION) {
+        throw InputError(fmt::format("{}: has version {} of the interface, expected {}",
+                                     name, f.abi_version(), LANCRET_ABI_VERSION));
+    }
+    find("lancret_create", f.create);
+    find("lancret_destroy", f.destroy);
+    find("lancret_open", f.open);
+    find("lancret_close", f.close);
+    find("lancret_get_info", f.get_info);
+    find("lancret_describe", f.describe);
+    find("lancret_get_head", f.get_head);
+    find("lancret_is_still", f.is_still);
+    find("lancret_bound", f.bound);
+    find("lancret_chunk_open", f.chunk_open);
+    find("lancret_chunk_sizes", f.chunk_sizes);
+    find("lancret_chunk_write", f.chunk_write);
+    find("lancret_chunk_close", f.chunk_close);
+    find("lancret_get_chunk_info", f.get_chunk_info);
+    find("lancret_chunk_figures", f.chunk_figures);
+}
+
+}  // namespace lancret

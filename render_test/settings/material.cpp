@@ -1,0 +1,54 @@
+#include "render_test/settings/material.h"
+
+#include <array>
+
+#include "render_test/image/image.h"
+#include "render_test/settings/toml_values.h"
+
+namespace lancret {
+namespace {
+
+constexpr std::array<std::string_view, 3> kPresets = {"blond", "brown", "black"};
+constexpr std::array<float, 3> kPresetMelanin = {0.3f, 1.3f, 8.0f};
+
+constexpr std::array<std::string_view, 2> kShadings = {"path", "groom"};
+
+}  // namespace
+
+void read_material(const TomlTable& material, HairMaterial& hair, MeshMaterial& mesh,
+                   bool& groom_shading) {
+    const auto preset = material.choice("preset", kPresets);
+    if (preset) hair.eumelanin = kPresetMelanin[*preset];
+    const auto colour = colour_value(material, "colour", 1);
+    if (preset && (colour || material.has("eumelanin"))) {
+        material.fail("preset",
+                      "a 'preset' says the melanin: leave out 'eumelanin' and 'colour'");
+    }
+    if (colour) hair.colour = colour;
+    set(hair.eumelanin, material.number("eumelanin", 0, 100));
+    set(hair.pheomelanin, material.number("pheomelanin", 0, 100));
+    set(hair.beta_m, material.number("roughness", 0.01, 1));
+    set(hair.beta_n, material.number("azimuthal_roughness", 0.01, 1));
+    set(hair.tilt, angle_value(material, "tilt_degrees", -20, 20));
+    set(hair.eta, material.number("eta", 1.01, 5));
+    set(hair.aspect, material.number("aspect", 0.1, 1));
+    set(hair.melanin_variation, material.number("melanin_variation", 0, 1));
+    set(hair.roughness_variation, material.number("roughness_variation", 0, 1));
+    set(hair.seed, material.integer("seed", 0, std::int64_t(1) << 62));
+    if (const auto value = colour_value(material, "root_colour", 1)) {
+        hair.root_colour = value;
+    }
+    if (const auto value = colour_value(material, "tip_colour", 1)) {
+        hair.tip_colour = value;
+    }
+    if (const auto shading = material.choice("shading", kShadings)) {
+        groom_shading = *shading == 1;
+    }
+    set(mesh.colour, colour_value(material, "scalp_colour", 1));
+    set(mesh.coat_roughness, material.number("scalp_roughness", 0.05, 1));
+    if (const auto file = material.path("scalp_texture")) {
+        mesh.texture = read_colour_map(*file);
+    }
+}
+
+}  // namespace lancret

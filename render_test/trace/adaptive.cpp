@@ -1,0 +1,74 @@
+#include "render_test/trace/adaptive.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render_test/sampling/sampling.h"
+
+namespace lancret {
+namespace {
+
+constexpr int kReach = 3;  ///< of the square around a pixel
+
+/// Of one pixel, or summed over some.
+struct Spread {
+    double luminance = 0;  ///< mean
+    double variance = 0;   ///< among samples
+    double coverage = 0;   ///< mean
+    double pixels = 0;
+
+    Spread& operator+=(const Spread& s) {
+        luminance += s.luminance, variance += s.variance;
+        coverage += s.coverage, pixels += s.pixels;
+        return *this;
+    }
+};
+
+Spread spread_of(const Film& film, std::size_t pixel) {
+    const auto n = float(film.samples[pixel]);
+    const Eigen::Vector4f& sum = film.sums.rgba[pixel];
+    // Red, green and blue of a sample go together, so that of their weighted sum the
+    // standard deviation is the weighted sum of theirs.
+    const Vec3f deviation = (film.squares[pixel].head<3>() / (n - 1)).cwiseSqrt();
+    const float one = luminance(deviation);
+    return {luminance(sum.head<3>()) / n, one * one, sum.w() / n, 1};
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> samples_needed(const Film& film, float noise,
+                                          std::uint32_t most) {
+    const int width = film.sums.width, height = film.sums.height;
+    const auto pixel_at = [&](int x, int y) { return std::size_t(y) * width + x; };
+    std::vector<Spread> rows(film.samples.size());  // sums over a row's kReach each way
+    tbb::parallel_for(0, height, [&](int y) {
+        for (int x = 0; x < width; ++x)
+            for (int i = std::max(x - kReach, 0); i <= std::min(x + kReach, width - 1);
+                 ++i)
+                rows[pixel_at(x, y)] += spread_of(film, pixel_at(i, y));
+    });
+    Spread all;
+    for (std::size_t i = 0; i < film.samples.size(); ++i) all += spread_of(film, i);
+    std::vector<std::uint32_t> needed(film.samples.size());
+    if (!(all.luminance > 0) || !(all.coverage > 0)) return needed;
+    const double mean = all.luminance / all.coverage;
+    tbb::parallel_for(0, height, [&](int y) {
+        for (int x = 0; x < width; ++x) {
+            Spread about;
+            for (int i = std::max(y - kReach, 0); i <= std::min(y + kReach, height - 1);
+                 ++i)
+                about += rows[pixel_at(x, i)];
+            if (!(about.variance > 0)) continue;
+            // Of what is nearly black, an error of a hundredth of the mean is not seen.
+            const double here = std::max(about.luminance / about.pixels, 0.01 * mean);
+            const double may = double(noise) * noise * mean * here;
+            needed[pixel_at(x, y)] = std::uint32_t(
+                std::min(std::ceil(about.variance / about.pixels / may), double(most)));
+        }
+    });
+    return needed;
+}
+
+}  // namespace lancret

@@ -1,0 +1,147 @@
+#include "sim/contact/strand_grid.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+
+#include "guides/base/hash.h"
+
+namespace lancret {
+
+namespace {
+
+constexpr std::size_t kMostPoints = std::size_t(1) << 30;
+constexpr std::size_t kChunk = 1024;
+
+/// A cell is a little wider than the radius, in radii: the number of a place's cell is
+/// off by 1.2e-6 at most where it is up to 1e10, so places within a radius are in cells
+/// that touch.
+constexpr double kMostRadii = 1e10, kCellWidth = 1 + 1e-5;
+
+/// The cell of a place: whole numbers, as doubles, for a place may be any number of cells
+/// away.
+Vec3 cell_of(const Vec3& place, double cell) {
+    return (place / cell).array().floor().matrix();
+}
+
+/// The hash of a cell. Cells may share one: a search then sees points that are too far,
+/// or some twice, and neither changes what it finds.
+std::uint64_t cell_hash(const Vec3& cell) {
+    // + 0.0: -0 becomes 0.
+    return hash_bits(std::bit_cast<std::uint64_t>(cell.x() + 0.0),
+                     std::bit_cast<std::uint64_t>(cell.y() + 0.0),
+                     std::bit_cast<std::uint64_t>(cell.z() + 0.0));
+}
+
+}  // namespace
+
+void StrandGrid::find(std::span<const Vec3> points,
+                      std::span<const std::uint32_t> strands, double radius) {
+    if (points.size() != strands.size() || points.size() > kMostPoints) {
+        throw std::invalid_argument(
+            "StrandGrid: a strand for each of at most 2^30 points");
+    }
+    if (!(radius > 0 && std::isfinite(radius))) {
+        throw std::invalid_argument("StrandGrid: the radius is above 0");
+    }
+    // Written so that a NaN fails.
+    if (!std::ranges::all_of(points, [&](const Vec3& p) {
+            return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMostRadii * radius;
+        })) {
+        throw std::invalid_argument(
+            "StrandGrid: a point is within 1e10 radii of the origin");
+    }
+    sort_into_buckets(points, strands, kCellWidth * radius);
+    neighbours_.resize(kMost * points.size());
+    counts_.resize(points.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kChunk),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                              counts_[i] =
+                                  std::uint8_t(search(points[i], strands[i], radius,
+                                                      &neighbours_[kMost * i]));
+                          }
+                      });
+}
+
+void StrandGrid::sort_into_buckets(std::span<const Vec3> points,
+                                   std::span<const std::uint32_t> strands, double cell) {
+    const std::size_t buckets = std::bit_ceil(2 * points.size() + 1);
+    keys_.resize(points.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kChunk),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                              keys_[i] = std::uint32_t(
+                                  cell_hash(cell_of(points[i], cell)) & (buckets - 1));
+                          }
+                      });
+    // A counting sort: counts, where each bucket ends, then each point before that, from
+    // the last on, which leaves where each begins.
+    begins_.assign(buckets + 1, 0);
+    for (const std::uint32_t key : keys_) ++begins_[key];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& begin : begins_) begin = sum += begin;
+    entries_.resize(points.size());
+    for (std::size_t i = points.size(); i-- > 0;) {
+        entries_[--begins_[keys_[i]]] = {points[i], std::uint32_t(i), strands[i]};
+    }
+    cell_ = cell;
+}
+
+std::uint32_t StrandGrid::search(const Vec3& place, std::uint32_t strand, double radius,
+                                 StrandNeighbour* out) const {
+    // The nearest points so far, each of its own strand, by square of distance and index.
+    struct Found {
+        double distance2;
+        std::uint32_t point, strand;
+
+        bool operator<(const Found& other) const {
+            return distance2 != other.distance2 ? distance2 < other.distance2
+                                                : point < other.point;
+        }
+    };
+    std::array<Found, kMost> best{};
+    int count = 0;
+    const auto offer = [&](const Found& found) {
+        // Where it goes, unless its strand is there already and nearer.
+        int at = 0;
+        while (at < count && best[at] < found) {
+            if (best[at].strand == found.strand) return;
+            ++at;
+        }
+        if (at == kMost) return;
+        // What it pushes out: its own strand's further point, else the furthest of all.
+        int gone = at;
+        while (gone < count && best[gone].strand != found.strand) ++gone;
+        if (gone == count && count < kMost) ++count;
+        gone = std::min(gone, kMost - 1);
+        std::copy_backward(best.begin() + at, best.begin() + gone,
+                           best.begin() + gone + 1);
+        best[at] = found;
+    };
+
+    const Vec3 home = cell_of(place, cell_);
+    const std::uint64_t mask = begins_.size() - 2;
+    for (int neighbour = 0; neighbour < 27; ++neighbour) {
+        const Vec3 cell =
+            home + Vec3(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
+        const std::size_t bucket = cell_hash(cell) & mask;
+        for (std::uint32_t e = begins_[bucket]; e < begins_[bucket + 1]; ++e) {
+            const Entry& entry = entries_[e];
+            const double distance2 = (entry.position - place).squaredNorm();
+            if (entry.strand == strand || !(distance2 <= radius * radius)) continue;
+            offer({distance2, entry.point, entry.strand});
+        }
+    }
+    for (int i = 0; i < count; ++i) {
+        out[i] = {best[i].point, std::sqrt(best[i].distance2)};
+    }
+    return std::uint32_t(count);
+}
+
+}  // namespace lancret

@@ -1,0 +1,78 @@
+#include "sim/equilibrium/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/rod/panels.h"
+#include "sim/segment/kernel.h"
+
+namespace lancret {
+
+LowestPoint lowest_point(const HangingRod& rod, const Eigen::VectorXd& q,
+                         const Vec3& up) {
+    const std::vector<HelixState<double>> joints = rod_joints(rod, q);
+    LowestPoint out{up.dot(joints[0].position), 0};
+    double start = 0;
+    for (std::size_t i = 0; i < rod.segments(); ++i) {
+        const Vec3 k = q.segment<3>(3 * i);
+        const auto state = [&](double u) {
+            HelixState<double> at = joints[i];
+            advance<double>(at, k, u);
+            return at;
+        };
+        const auto take = [&](double u, const HelixState<double>& at) {
+            const double height = up.dot(at.position);
+            if (height < out.height) out = {height, start + u};
+        };
+        // The tangent's height is a sine of the turn: a sixteenth of a turn parts its
+        // zeros, but for two so near each other that the curve is level between them.
+        const double length = rod.lengths[i],
+                     turns = k.norm() * length / (2 * std::numbers::pi);
+        const int parts = int(std::clamp(std::ceil(16 * turns), 4., 1e5));
+        double before = up.dot(joints[i].frame.col(0));
+        for (int p = 1; p <= parts; ++p) {
+            double low = length * (p - 1) / parts, high = length * p / parts;
+            const HelixState<double> end = state(high);
+            const double after = up.dot(end.frame.col(0));
+            take(high, end);
+            if (before < 0 && after > 0) {
+                for (int round = 0; round < 60; ++round) {
+                    const double middle = (low + high) / 2;
+                    const bool falls = up.dot(state(middle).frame.col(0)) < 0;
+                    (falls ? low : high) = middle;
+                }
+                take(low, state(low));
+            }
+            before = after;
+        }
+        start += length;
+    }
+    return out;
+}
+
+Vec3 root_darboux(const HangingRod& rod, const Eigen::VectorXd& q) {
+    const std::vector<HelixState<double>> joints = rod_joints(rod, q);
+    Vec3 arm = Vec3::Zero();  // int (r - r_root) ds
+    for (std::size_t i = 0; i < rod.segments(); ++i) {
+        const Vec3 k = q.segment<3>(3 * i);
+        const double length = rod.lengths[i], turn = k.norm() * length;
+        over_segment(length, turn, [&](double u, double w) {
+            const auto at =
+                segment_point<double>(k.data(), u, stumpff_halvings(turn * turn));
+            arm += w * (joints[i].position - rod.root.position +
+                        joints[i].frame * Vec3::Map(at.p));
+        });
+    }
+    const Vec3 moment = arm.cross(rod.section.linear_density * rod.gravity);
+    return rod.natural[0] +
+           (rod.root.frame.transpose() * moment).cwiseQuotient(rod.section.stiffness);
+}
+
+double tip_angle(const HangingRod& rod, const Eigen::VectorXd& q) {
+    const Vec3 tip = rod_joints(rod, q).back().frame.col(0);
+    const Vec3 root = rod.root.frame.col(0);
+    return std::atan2(root.cross(tip).norm(), root.dot(tip));
+}
+
+}  // namespace lancret

@@ -1,0 +1,50 @@
+#include "sim/equilibrium/modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "sim/equilibrium/branch.h"
+#include "sim/rod/mass.h"
+
+namespace lancret {
+
+std::vector<double> rod_frequencies(const HangingRod& rod, const Eigen::VectorXd& q,
+                                    std::size_t most) {
+    using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
+    const Solver stiffness(scaled_hessian(rod, rod_hessian(rod, q)));
+    const Eigen::VectorXd& rates = stiffness.eigenvalues();
+    const double neutral = neutral_eigenvalue(rod);
+    if (!(rates(0) > -neutral)) {
+        throw std::invalid_argument("rod_frequencies: no minimum of the energy");
+    }
+    Eigen::Index slack = 0;
+    while (slack < rates.size() && rates(slack) < neutral) ++slack;
+    const Eigen::Index rest = rates.size() - slack;
+
+    // In the Hessian's eigenvectors. What has no stiffness moves so that no momentum is
+    // left in it: Schur's complement of M there.
+    const Eigen::MatrixXd& axes = stiffness.eigenvectors();
+    Eigen::MatrixXd mass =
+        axes.transpose() * scaled_hessian(rod, rod_mass(rod, q)) * axes;
+    Eigen::MatrixXd stiff = mass.bottomRightCorner(rest, rest);
+    if (slack > 0) {
+        const Eigen::MatrixXd across = mass.topRightCorner(slack, rest);
+        stiff -= across.transpose() * mass.topLeftCorner(slack, slack)
+                                          .completeOrthogonalDecomposition()
+                                          .solve(across);
+    }
+    const Eigen::VectorXd soft = rates.tail(rest).cwiseSqrt().cwiseInverse();
+    stiff = (soft.asDiagonal() * stiff * soft.asDiagonal()).eval();
+    const Eigen::VectorXd periods = Solver(stiff, Eigen::EigenvaluesOnly).eigenvalues();
+
+    std::vector<double> out(std::min<std::size_t>(most, slack), 0.);
+    // Round-off of the singular M is 1e-16 of the largest.
+    for (Eigen::Index i = rest; i-- > 0 && out.size() < most;) {
+        if (!(periods(i) > 1e-13 * periods(rest - 1))) break;
+        out.push_back(1 / std::sqrt(periods(i)));
+    }
+    return out;
+}
+
+}  // namespace lancret

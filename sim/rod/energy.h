@@ -1,0 +1,70 @@
+#pragma once
+// The energy of one Super-Helix under its own weight, and its exact derivatives.
+//
+//     E(q) = 1/2 sum_Q l_Q (k_Q - n_Q)^T K (k_Q - n_Q) - rho S int g . (r - r_root) ds
+//
+// with natural curvatures n and K the diagonal of the stiffnesses [Bergbom07, Eq. 4.26
+// and 4.52]. All that is linear in g is kept apart, so that weight can be scaled.
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "guides/helix/super_helix.h"
+#include "sim/rod/section.h"
+
+namespace lancret {
+
+/// One Super-Helix, clamped at its root. Its curvatures are not in it: they are a vector
+/// q [3 segments], k0, k1, k2 of segment 0, then of segment 1 and so on, 1/cm.
+struct HangingRod {
+    HelixState<double> root;
+    std::vector<double> lengths;  ///< [segments], cm
+    std::vector<Vec3> natural;    ///< [segments], 1/cm
+    RodSection section;
+    Vec3 gravity = Vec3::Zero();  ///< cm/s^2
+
+    std::size_t segments() const { return lengths.size(); }
+};
+
+/// Throws std::invalid_argument where the rod has no segment, rows of unequal length, a
+/// number that is not finite, a length, stiffness or density that is not above 0, or a
+/// root frame that is not orthonormal to 1e-9.
+void check_rod(const HangingRod& rod);
+
+double rod_length(const HangingRod& rod);
+/// The natural curvatures as q.
+Eigen::VectorXd natural_curvatures(const HangingRod& rod);
+/// K l: [3 segments], erg cm^2.
+Eigen::VectorXd stiffness_diagonal(const HangingRod& rod);
+/// The frame and position at the start of each segment and, last, at the tip.
+std::vector<HelixState<double>> rod_joints(const HangingRod& rod,
+                                           const Eigen::VectorXd& q);
+
+struct HangingEnergy {
+    double elastic = 0, gravity = 0;  ///< erg; gravity's is 0 with all mass at the root
+
+    double total() const { return elastic + gravity; }
+};
+
+HangingEnergy rod_energy(const HangingRod& rod, const Eigen::VectorXd& q);
+
+/// Gravity's part of the energy's gradient, -rho S int J^T g ds, and Hessian.
+struct GravityTerms {
+    double energy = 0;         ///< erg
+    Eigen::VectorXd gradient;  ///< [3 segments]
+    Eigen::MatrixXd hessian;   ///< [3 segments, 3 segments], symmetric
+};
+
+enum class Derivatives { none, first, second };
+
+/// Up to the derivatives asked for; time O(segments), with second ones O(segments^2).
+/// The quadrature's relative error is below 1e-10; the derivatives are those of the
+/// quadrature, but for that error.
+void gravity_terms(const HangingRod& rod, const Eigen::VectorXd& q, Derivatives order,
+                   GravityTerms& out);
+
+/// dE/dq and d2E/dq2, for their own sake; whoever needs both asks for gravity_terms.
+Eigen::VectorXd rod_gradient(const HangingRod& rod, const Eigen::VectorXd& q);
+Eigen::MatrixXd rod_hessian(const HangingRod& rod, const Eigen::VectorXd& q);
+
+}  // namespace lancret

@@ -1,0 +1,34 @@
+#include "sim/rod/section.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace lancret {
+
+RodSection rod_section(const RodMaterial& material, Dissipation form, double damping) {
+    const auto& [young, poisson, a1, a2, density] = material;
+    // Written so that a NaN fails.
+    const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
+    if (!positive(young) || !positive(a1) || !positive(a2) || !positive(density)) {
+        throw std::invalid_argument("rod_section: a constant of hair is above 0");
+    }
+    if (!(poisson > -1 && poisson <= 0.5)) {
+        throw std::invalid_argument("rod_section: Poisson's ratio is within (-1, 0.5]");
+    }
+    if (!(damping >= 0 && std::isfinite(damping))) {
+        throw std::invalid_argument("rod_section: damping is 0 or more");
+    }
+    constexpr double pi = std::numbers::pi;
+    const double shear = young / (2 * (1 + poisson));
+    const double torsion = pi * std::pow(a1 * a2, 3) / (a1 * a1 + a2 * a2);
+    RodSection out;
+    out.stiffness = {shear * torsion, young * pi / 4 * a1 * a2 * a2 * a2,
+                     young * pi / 4 * a1 * a1 * a1 * a2};
+    out.damping = form == Dissipation::uniform ? Vec3::Constant(damping)
+                                               : Vec3(damping * out.stiffness);
+    out.linear_density = density * pi * a1 * a2;
+    return out;
+}
+
+}  // namespace lancret

@@ -1,0 +1,9 @@
+// Compiled for AVX2 where the compiler knows it (sim/CMakeLists.txt).
+#define LANCRET_SIMD wide
+#include "sim/segment/loops_code.h"
+
+namespace lancret {
+
+const SegmentLoops kWideLoops = wide::kLoops;
+
+}  // namespace lancret

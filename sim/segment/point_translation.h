@@ -1,0 +1,38 @@
+#pragma once
+// Dragging a point of a strand: what a comb or a translate tool calls. The strand keeps
+// its length exactly, since only curvatures change.
+
+#include <limits>
+#include <vector>
+
+#include "guides/helix/super_helix.h"
+
+namespace lancret {
+
+struct TranslationSettings {
+    /// Segments that may bend, first to last inclusive; those beyond the point never
+    /// count.
+    int first_segment = 0;
+    int last_segment = std::numeric_limits<int>::max();
+    Vec3 stiffness{0.6757, 1, 1};  ///< relative, against (k0, k1, k2)
+    double tolerance = 1e-6;       ///< cm from the target at which it is reached
+    int most_iterations = 200;
+};
+
+struct TranslationReport {
+    bool reached = false;
+    double distance = 0;  ///< of the point from the target at last, cm
+    int iterations = 0;
+};
+
+/// Changes `curvatures`, the ones of `helix`, so that the point at arc length s (cm, in
+/// [0, length]) comes to `target` (cm), by Levenberg-Marquardt on the squared distance
+/// [Bergbom07, Eq. 4.63-4.67, corrected; without the term of second derivatives]. Of all
+/// ways there each iteration takes the one that costs the least bending. Where the target
+/// is out of reach the point ends as near to it as the iterations come. Throws
+/// std::invalid_argument where s, the target or the segments make no sense.
+TranslationReport translate_point(const SuperHelix& helix, double s, const Vec3& target,
+                                  const TranslationSettings& settings,
+                                  std::vector<Vec3>& curvatures);
+
+}  // namespace lancret

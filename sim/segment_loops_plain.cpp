@@ -1,8 +1,0 @@
-#define LANCRET_SIMD plain
-#include "sim/segment_loops_code.h"
-
-namespace lancret {
-
-const SegmentLoops kPlainLoops = plain::kLoops;
-
-}  // namespace lancret

@@ -1,9 +1,0 @@
-// Compiled for AVX2 where the compiler knows it (sim/CMakeLists.txt).
-#define LANCRET_SIMD wide
-#include "sim/segment_loops_code.h"
-
-namespace lancret {
-
-const SegmentLoops kWideLoops = wide::kLoops;
-
-}  // namespace lancret

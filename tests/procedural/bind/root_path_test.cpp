@@ -1,0 +1,85 @@
+// Children along a path of roots: what is smooth over the scalp, and what is not.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "procedural/groom/ready_groom.h"
+
+namespace lancret {
+namespace {
+
+/// The largest that a place of neighbours on the path differs by, cm, each seen from its
+/// root.
+struct Jumps {
+    double place = 0;
+    double same_curl = 0;  ///< of a place, where the heaviest guide is the same
+    int at = 0;            ///< the step of the largest difference of places
+};
+
+std::uint32_t heaviest(const Binding& binding, std::size_t i) {
+    const auto first = binding.weights.begin() + std::ptrdiff_t(i * binding.neighbours);
+    return binding.guides[std::max_element(first, first + binding.neighbours) -
+                          binding.weights.begin()];
+}
+
+/// Steps along half a circle at the side of the made head, clear of its parting.
+Jumps jumps_of(const Generator& groom, Blend blend, int steps) {
+    Roots roots;
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = 0.3 + 1.2 * i / steps;
+        const Vec3 unit(0.8, 0.6 * std::sin(angle), -0.6 * std::cos(angle));
+        const Vec3 normal = unit.cwiseQuotient(kMadeHead).normalized();
+        roots.positions.push_back(unit.cwiseProduct(kMadeHead).cast<float>());
+        roots.normals.push_back(normal.cast<float>());
+    }
+    const Binding binding = lancret::bind(std::move(roots), groom.source.guides,
+                                          groom.source.normals, groom.groom.bind);
+    const auto profiles = guide_profiles<double>(groom.source.guides, 96);
+    std::vector<HelixState<double>> before(97), now(97);
+    Jumps out;
+    for (int i = 0; i <= steps; ++i) {
+        synthesize_child<double>(binding, profiles, blend, i, now);
+        for (int j = 0; j <= 96 && i > 0; ++j) {
+            const double moved = (now[j].position - before[j].position).norm();
+            if (moved > out.place) out.at = i;
+            out.place = std::max(out.place, moved);
+            if (heaviest(binding, i) == heaviest(binding, i - 1)) {
+                out.same_curl = std::max(out.same_curl, moved);
+            }
+        }
+        before = now;
+    }
+    return out;
+}
+
+TEST(RootPath, SumsAreSmoothAndDetailJumpsOnlyWhereTheHeaviestGuideChanges) {
+    Groom groom;
+    groom.made.strands = 400;
+    groom.guides.number = 150;
+    groom.strands = 1;
+    const Generator made = make_generator(groom);
+    for (const BlendName& entry : kBlendNames) {
+        SCOPED_TRACE(entry.name);
+        const Jumps coarse = jumps_of(made, entry.blend, 2000),
+                    fine = jumps_of(made, entry.blend, 4000);
+        fmt::print("| {} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {} of 4000 |\n",
+                   entry.name, coarse.place, fine.place, coarse.same_curl, fine.same_curl,
+                   fine.at);
+        // Half the step, half the largest difference; weights are Lipschitz, not smooth,
+        // so that the largest may fall between steps.
+        const bool sums = entry.blend == Blend::position ||
+                          entry.blend == Blend::option3 ||
+                          entry.blend == Blend::option2 || entry.blend == Blend::bishop;
+        if (sums) {
+            EXPECT_LT(fine.place, 0.6 * coarse.place);
+        }
+        if (entry.blend == Blend::detail) {
+            // Only where another guide becomes the heaviest does its curl take over.
+            EXPECT_LT(fine.same_curl, 0.6 * coarse.same_curl);
+            EXPECT_LT(fine.place, jumps_of(made, Blend::nearest, 4000).place);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lancret

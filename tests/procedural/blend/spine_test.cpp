@@ -1,0 +1,79 @@
+#include "procedural/blend/spine.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "guides/helix/helix.h"
+
+namespace lancret {
+namespace {
+
+constexpr double kLength = 12;
+
+/// The spine of one helix with the Darboux vector u.
+Spine<double> helix_spine(const Vec3& u, int count) {
+    std::vector<Vec3> places;
+    for (int i = 0; i <= count; ++i) {
+        HelixState<double> state;
+        advance<double>(state, u, kLength * i / count);
+        places.push_back(state.position);
+    }
+    return spine_of<double>(spine_basis<double>(count), kLength,
+                            [&](std::size_t i) { return places[i]; });
+}
+
+TEST(Spine, OfAStraightStrandIsItsTangent) {
+    const auto basis = spine_basis<double>(16);
+    const Spine<double> spine = helix_spine(Vec3::Zero(), 16);
+    for (const double turns : {0.0, 5.0}) {
+        for (int i = 0; i <= 16; ++i) {
+            const Vec3 at = spine_at(spine, spine_taper(turns), basis.at_places[i]);
+            // The middle of an interval stands for all of it, so P_j sums up to zero only
+            // for odd j; P_2 to 1 / (2 n^2), five times that.
+            EXPECT_LT((at - Vec3::UnitX()).norm(), 6.0 / (2 * 16 * 16));
+        }
+    }
+}
+
+TEST(Spine, FollowsAnArcToTheThirdOrder) {
+    // T = (cos x, sin x) over x in [-a, a] about its middle: degrees 0 to 3 leave the
+    // next term of the Taylor series, x^4 / 24, at most 8 / 35 of it at the ends.
+    const double a = 0.5;
+    const Vec3 u(0, 0, 2 * a / kLength);
+    const int n = 400;
+    const auto basis = spine_basis<double>(n);
+    const Spine<double> spine = helix_spine(u, n);
+    for (int i = 0; i <= n; i += 50) {
+        HelixState<double> state;
+        advance<double>(state, u, kLength * i / n);
+        const Vec3 at = spine_at(spine, spine_taper(10.0), basis.at_places[i]);
+        EXPECT_LT((at - state.frame.col(0)).norm(), a * a * a * a / 24 + 1e-4);
+    }
+}
+
+TEST(Spine, AdvanceOfAHelixIsTheCosineOfItsPitchAngle) {
+    // What a helix of N whole turns has beside its axis is at most (2 j + 1) / (pi N) of
+    // the sine in degree j.
+    const double turns = 20, pitch = 0.6;
+    const double omega = 2 * std::numbers::pi * turns / kLength;
+    const Vec3 u(omega * std::cos(pitch), 0, omega * std::sin(pitch));
+    const Spine<double> spine = helix_spine(u, 2000);
+    EXPECT_NEAR(spine.terms[0].norm(), std::cos(pitch), 1e-4);
+    const Vec3 axis = u.normalized();
+    EXPECT_NEAR(spine.terms[0].dot(axis), std::cos(pitch), 1e-4);
+    for (int j = 1; j < kSpineTerms; ++j) {
+        EXPECT_LT(spine.terms[j].norm(),
+                  (2 * j + 1) * std::sin(pitch) / (std::numbers::pi * turns));
+    }
+}
+
+TEST(Spine, HigherDegreesComeInWithTheTurnsOfTheCurl) {
+    EXPECT_EQ(spine_taper(0.0), (std::array<double, 4>{1, 1, 0, 0}));
+    EXPECT_EQ(spine_taper(1.5), (std::array<double, 4>{1, 1, 0.5, 0}));
+    EXPECT_EQ(spine_taper(2.25), (std::array<double, 4>{1, 1, 1, 0.25}));
+    EXPECT_EQ(spine_taper(40.0), (std::array<double, 4>{1, 1, 1, 1}));
+}
+
+}  // namespace
+}  // namespace lancret

@@ -1,0 +1,268 @@
+#include "procedural/chunk/chunks.h"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <numeric>
+#include <random>
+
+#include "procedural/check/chunks.h"
+#include "procedural/check/strand.h"
+#include "procedural/chunk/chunked_groom.h"
+#include "procedural/motion/posed_binding.h"
+#include "tests/procedural/made_hair.h"
+
+namespace lancret {
+namespace {
+
+using test::MadeHair;
+
+std::vector<Vec3f> random_places(std::size_t count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> place(-10, 10);
+    std::vector<Vec3f> out;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float x = place(random), y = place(random), z = place(random);
+        out.emplace_back(x, y, z);
+    }
+    return out;
+}
+
+Chunks chunks_of(const std::vector<Vec3f>& roots, std::uint32_t most) {
+    return make_chunks(
+        roots.size(), [&](std::uint32_t i) { return roots[i]; }, most);
+}
+
+TEST(Chunks, HoldEveryChildOnceInOrder) {
+    for (const std::size_t count : {1u, 2u, 99u, 100u, 101u, 5000u}) {
+        const Chunks chunks = chunks_of(random_places(count, 1), 100);
+        EXPECT_EQ(chunks.size(), (count + 99) / 100);
+        std::vector<std::uint32_t> all;
+        for (std::size_t c = 0; c < chunks.size(); ++c) {
+            const auto own = chunks.of(c);
+            EXPECT_LE(own.size(), 100u);
+            EXPECT_GE(own.size(), count / chunks.size());
+            EXPECT_TRUE(std::ranges::is_sorted(own));
+            all.insert(all.end(), own.begin(), own.end());
+        }
+        std::ranges::sort(all);
+        std::vector<std::uint32_t> expected(count);
+        std::iota(expected.begin(), expected.end(), 0u);
+        EXPECT_EQ(all, expected);
+    }
+}
+
+TEST(Chunks, AreTheSameForAnyNumberOfThreads) {
+    // Some children stand in one place.
+    std::vector<Vec3f> roots = random_places(20000, 2);
+    std::fill(roots.begin() + 100, roots.begin() + 3000, roots[0]);
+    const Chunks expected = chunks_of(roots, 64);
+    for (const int threads : {1, 2, 5}) {
+        tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                    threads);
+        const Chunks chunks = chunks_of(roots, 64);
+        EXPECT_EQ(chunks.children, expected.children);
+        EXPECT_EQ(chunks.first, expected.first);
+    }
+}
+
+TEST(Chunks, LieTogether) {
+    // 64 chunks of a square of side 20 have boxes of 20 / 8 a side, to the spread of 100
+    // uniform roots: together about the square's area and not much more.
+    std::vector<Vec3f> roots = random_places(6400, 3);
+    for (Vec3f& p : roots) p.z() = 0;
+    const Chunks chunks = chunks_of(roots, 100);
+    double area = 0;
+    for (std::size_t c = 0; c < chunks.size(); ++c) {
+        Eigen::AlignedBox3f box;
+        for (const std::uint32_t i : chunks.of(c)) box.extend(roots[i]);
+        area += double(box.sizes().x()) * double(box.sizes().y());
+    }
+    EXPECT_LE(area, 400);
+    EXPECT_GE(area, 400 * 0.9);
+}
+
+TEST(Chunks, OfNothingAreNone) {
+    EXPECT_EQ(make_chunks(0, {}).size(), 0u);
+    EXPECT_THROW(make_chunks(
+                     1, [](auto) { return Vec3f(0, 0, 0); }, 0),
+                 std::invalid_argument);
+}
+
+Groom small_groom() {
+    Groom groom;
+    groom.name = "small";
+    groom.made.strands = 40;
+    groom.guides.number = 12;
+    groom.fit.segments = 4;
+    groom.strands = 1000;
+    return groom;
+}
+
+void expect_chunks_of_the_whole(const Groom& groom) {
+    const Generator whole = make_generator(groom);
+    const Curves all = expand(whole.binding, rest_guides(whole), groom.expand);
+    std::map<std::uint32_t, std::uint32_t> place;  // of an id
+    for (std::uint32_t i = 0; i < all.strands; ++i) place[all.id_of(i)] = i;
+    for (const std::uint32_t most : {1000u, 128u, 7u}) {
+        const ChunkedGroom chunked = make_chunked_groom(groom, most);
+        ASSERT_EQ(chunked.generator.profiles.count, whole.profiles.count);
+        std::size_t strands = 0;
+        for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+            const Curves own = expand_chunk(chunked, c);
+            strands += own.strands;
+            for (std::uint32_t i = 0; i < own.strands; ++i) {
+                const std::uint32_t id = own.id_of(i);
+                ASSERT_TRUE(place.contains(id));
+                const auto mine = own.of_strand(own.points, i),
+                           theirs = all.of_strand(all.points, place[id]);
+                ASSERT_EQ(mine.size(), theirs.size());
+                ASSERT_EQ(std::memcmp(mine.data(), theirs.data(), mine.size_bytes()), 0)
+                    << most << ' ' << id;
+            }
+        }
+        EXPECT_EQ(strands, all.strands);
+    }
+}
+
+TEST(Chunks, HaveTheBitsOfTheWhole) {
+    for (const Blend blend : {Blend::detail, Blend::option1}) {
+        Groom groom = small_groom();
+        groom.expand.blend = blend;
+        expect_chunks_of_the_whole(groom);
+    }
+}
+
+TEST(Chunks, HaveTheBitsOfTheWholeAtAnyDensity) {
+    Groom groom = small_groom();
+    groom.density = 0.2;
+    expect_chunks_of_the_whole(groom);
+}
+
+/// All of a chunk's box and what is seen of it, on hair of blends, bases and widths.
+TEST(ChunkBound, HoldsItsStrandsTightly) {
+    for (const BlendName& named : kBlendNames) {
+        for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
+            const MadeHair hair(600, 24, 7, 4, 4, 0.5);
+            const ExpandSettings settings{
+                .blend = named.blend, .basis = basis, .taper = {0.05f, 0.01f}};
+            const Curves curves = expand(hair.binding, hair.profiles, settings);
+            const Chunks chunks = chunks_of(hair.binding.roots.positions, 100);
+            const ChunkCheck check = check_chunks(
+                hair.binding, hair.classed(settings.blend), curves, settings, chunks);
+            EXPECT_EQ(check.chunks, 6u);
+            EXPECT_TRUE(check.pass()) << named.name << ' ' << chunks_line(check);
+            // Of boxes some 10 cm a side: hulls of segments that turn by up to a third of
+            // a radian over 0.5 cm stand out by a few hundredths.
+            EXPECT_LT(check.largest_ratio, 1.1) << named.name;
+            EXPECT_GE(check.mean_ratio, 1) << named.name;
+        }
+    }
+}
+
+/// One by one, where nothing else hides an end, and coarsely cut.
+TEST(ChunkBound, HoldsEachStrandByItself) {
+    for (const BlendName& named : kBlendNames) {
+        for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
+            for (const int n : {1, 2, 4, 8}) {
+                const MadeHair hair(60, n, 7, 4, 4, n < 4 ? 0.1 : 0.5);
+                const ExpandSettings settings{.blend = named.blend, .basis = basis};
+                const Curves curves = expand(hair.binding, hair.profiles, settings);
+                const Chunks chunks = chunks_of(hair.binding.roots.positions, 1);
+                const ChunkCheck check = check_chunks(
+                    hair.binding, hair.classed(settings.blend), curves, settings, chunks);
+                EXPECT_EQ(check.chunks, 60u);
+                EXPECT_TRUE(check.pass()) << named.name << ' ' << chunks_line(check);
+            }
+        }
+    }
+}
+
+TEST(ChunkBound, TheCheckSeesAStrandOutsideAndAnotherStrand) {
+    const MadeHair hair(200, 12, 8);
+    const Chunks chunks = chunks_of(hair.binding.roots.positions, 50);
+    Curves curves = expand(hair.binding, hair.profiles, {});
+    curves.points[5 * curves.points_of(0) + 7].x += 40;
+    curves.points[6 * curves.points_of(0) + 7].y =
+        std::nextafter(curves.points[6 * curves.points_of(0) + 7].y, 1e9f);
+    const ChunkCheck check =
+        check_chunks(hair.binding, hair.classed(Blend::detail), curves, {}, chunks);
+    EXPECT_EQ(check.outside, 1u);
+    EXPECT_EQ(check.unlike, 2u);
+    EXPECT_FALSE(check.pass());
+}
+
+TEST(ChunkBound, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
+    const MadeHair hair(300, 12, 9, 4, 4, 0.5);
+    // The same guides, turned by half a radian about Y.
+    Guides later = hair.standing.guides;
+    const Mat3 turn = Eigen::AngleAxisd(0.5, Vec3::UnitY()).toRotationMatrix();
+    for (Mat3& frame : later.root_frames) frame = turn * frame;
+    const auto profiles = guide_profiles<float>(later, hair.profiles.count);
+    ChunkBound bound = chunk_bound(hair.binding, hair.classed(Blend::detail), {});
+    bound.extend(chunk_bound(
+        hair.binding, one_class(profiles, hair.standing.normals, Blend::detail), {}));
+    const Eigen::AlignedBox3d box = bound.box().cast<double>();
+    const Curves a = expand(hair.binding, hair.profiles, {});
+    const Curves b = expand(hair.binding, profiles, {});
+    for (std::size_t i = 0; i < a.strands; ++i) {
+        const EmittedStrand from = emitted_strand(a, i), to = emitted_strand(b, i);
+        for (std::size_t j = 0; j < from.segments(); ++j) {
+            for (const double time : {0.0, 0.3, 0.5, 1.0}) {
+                const Vec3 p =
+                    (1 - time) * from.position(j, 0.5) + time * to.position(j, 0.5);
+                ASSERT_TRUE(box.contains(p)) << i;
+            }
+        }
+    }
+    // And the first time alone does not hold the second: the test can fail.
+    const Eigen::AlignedBox3f first =
+        chunk_bound(hair.binding, hair.classed(Blend::detail), {}).box();
+    EXPECT_FALSE(first.contains(bounds(b)));
+}
+
+TEST(ChunkBound, ReachHoldsEveryBlendOfTheChunk) {
+    for (const BlendName& named : kBlendNames) {
+        Groom groom = small_groom();
+        groom.expand.blend = named.blend;
+        groom.intervals = 8;  // coarse: control points stray most
+        groom.density = 0.5;
+        const ChunkedGroom chunked = make_chunked_groom(groom, 200);
+        for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+            const Eigen::AlignedBox3f reach = reach_of_chunk(chunked, c).box();
+            EXPECT_TRUE(reach.contains(bounds(expand_chunk(chunked, c)))) << named.name;
+            const Binding binding = bind_chunk(chunked, c);
+            EXPECT_TRUE(reach.contains(
+                chunk_bound(binding, rest_guides(chunked.generator), groom.expand)
+                    .box()));
+        }
+    }
+}
+
+TEST(ChunkBound, OfNoStrandsIsEmpty) {
+    const MadeHair hair(10, 8, 1);
+    EXPECT_TRUE(chunk_bound(picked(hair.binding, {}), hair.classed(Blend::detail), {})
+                    .box()
+                    .isEmpty());
+}
+
+TEST(Binding, PickedChildrenKeepTheirBits) {
+    const MadeHair hair(100, 8, 4);
+    const std::vector<std::uint32_t> which{3, 50, 51, 99};
+    const Binding own = picked(hair.binding, which);
+    EXPECT_EQ(own.roots.ids, which);
+    const Curves all = expand(hair.binding, hair.profiles, {});
+    const Curves some = expand(own, hair.profiles, {});
+    for (std::size_t i = 0; i < which.size(); ++i) {
+        const std::size_t n = all.points_of(0);
+        EXPECT_EQ(std::memcmp(&some.points[i * n], &all.points[which[i] * n],
+                              n * sizeof(Point4f)),
+                  0);
+    }
+}
+
+}  // namespace
+}  // namespace lancret

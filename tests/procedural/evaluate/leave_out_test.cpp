@@ -1,0 +1,141 @@
+#include "procedural/evaluate/leave_out.h"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+
+#include "procedural/evaluate/evaluation.h"
+#include "tests/guides/base/temporary_folder.h"
+#include "tests/guides/mesh/meshes.h"
+#include "tests/procedural/made_strands.h"
+
+namespace lancret {
+namespace {
+
+using test::curly_strands;
+
+TEST(LeaveOut, EveryStrandIsAGuideOrIsPredicted) {
+    const Strands strands = curly_strands(120, 1);
+    const LeaveOut taken = leave_out(strands, nullptr, {.guides = {.share = 0.1}}, "g");
+    EXPECT_EQ(taken.guide_strands.size(), 12u);
+    EXPECT_EQ(taken.guides.size(), 12u);
+    EXPECT_EQ(taken.binding.size(), 108u);
+    std::set<std::uint32_t> all(taken.guide_strands.begin(), taken.guide_strands.end());
+    all.insert(taken.child_strands.begin(), taken.child_strands.end());
+    EXPECT_EQ(all.size(), 120u);
+}
+
+TEST(LeaveOut, ChildrenStandOnTheirOwnRoots) {
+    const Strands strands = curly_strands(60, 2);
+    const LeaveOut taken = leave_out(strands, nullptr, {.guides = {.number = 7}}, "g");
+    ASSERT_EQ(taken.guides.size(), 7u);
+    for (std::size_t c = 0; c < taken.binding.size(); ++c) {
+        const Vec3f root = strands.strand(taken.child_strands[c])[0];
+        EXPECT_EQ(taken.binding.roots.positions[c], root);
+        EXPECT_EQ(taken.truth.strand(c)[0], root.cast<double>());
+    }
+}
+
+/// `strands` with every one of `which` bent, lengthened and turned about its root.
+Strands with_others(Strands strands, std::span<const std::uint32_t> which) {
+    for (const std::uint32_t i : which) {
+        const Vec3f root = strands.strand(i)[0];
+        for (std::uint32_t p = strands.first[i] + 1; p < strands.first[i + 1]; ++p) {
+            const Vec3f off = strands.points[p] - root;
+            strands.points[p] =
+                root + 1.7f * Vec3f(off.y() + 0.3f * off.squaredNorm(), off.z(), off.x());
+        }
+    }
+    return strands;
+}
+
+TEST(LeaveOut, NothingOfALeftOutStrandButItsRootReachesItsPrediction) {
+    const Strands strands = curly_strands(150, 3);
+    const Scalp scalp = make_scalp(square_mesh(10, 4));
+    for (const Scalp* surface : {static_cast<const Scalp*>(nullptr), &scalp}) {
+        const LeaveOutSettings settings{.guides = {.share = 0.1}};
+        const LeaveOut taken = leave_out(strands, surface, settings, "g");
+        const LeaveOut other =
+            leave_out(with_others(strands, taken.child_strands), surface, settings, "g");
+        ASSERT_EQ(taken.guide_strands, other.guide_strands);
+        // The truth did change.
+        ASSERT_GT((taken.truth.points.back() - other.truth.points.back()).norm(), 1);
+        EXPECT_EQ(taken.guides.segments, other.guides.segments);
+        EXPECT_EQ(taken.binding.lengths, other.binding.lengths);
+        const int n = evaluation_intervals(taken.guides);
+        ASSERT_EQ(n, evaluation_intervals(other.guides));
+        const auto profiles = guide_profiles<float>(taken.guides, n);
+        const auto other_profiles = guide_profiles<float>(other.guides, n);
+        for (const BlendName& entry : kBlendNames) {
+            const Prediction a = predict(taken, profiles, entry.blend);
+            const Prediction b = predict(other, other_profiles, entry.blend);
+            EXPECT_EQ(std::memcmp(a.strands.points.data(), b.strands.points.data(),
+                                  a.strands.points.size() * sizeof(Vec3)),
+                      0)
+                << entry.name;
+        }
+    }
+}
+
+TEST(LeaveOut, WithoutAScalpNothingIsTurnedAndNothingFaces) {
+    // Half the guides hang head down: with facing they would have no weight.
+    Strands strands = curly_strands(100, 4);
+    for (std::size_t i = 0; i < strands.size(); i += 2) {
+        for (std::uint32_t p = strands.first[i]; p < strands.first[i + 1]; ++p)
+            strands.points[p].z() *= -1;
+    }
+    const LeaveOut taken = leave_out(strands, nullptr, {.guides = {.share = 0.2}}, "g");
+    EXPECT_EQ(taken.binding.report.no_facing_guide, 0u);
+    const auto& normals = taken.binding.roots.normals;
+    EXPECT_TRUE(
+        std::ranges::all_of(normals, [](auto& n) { return n == Vec3f::UnitZ(); }));
+}
+
+TEST(LeaveOut, ReadGuidesKeepTheirShapeOrSayHowFarTheyCame) {
+    for (const double turns : {0.0, 2.0, 8.0}) {
+        const LeaveOut taken = leave_out(curly_strands(80, 5, turns), nullptr,
+                                         {.guides = {.share = 0.2}}, "g");
+        EXPECT_FALSE(taken.fit.fitted);
+        // What make_guides asks for before it stops at fewer than the most segments.
+        if (taken.guides.segments < 128) {
+            EXPECT_LE(taken.fit.curvature.w1, 0.005) << turns;
+            EXPECT_LE(taken.fit.rms.p95, 0.002) << turns;
+        }
+        EXPECT_LE(taken.fit.rms.p95, 0.002) << turns;
+    }
+}
+
+TEST(LeaveOut, SegmentsThatAreAskedForAreFitted) {
+    const LeaveOut taken = leave_out(curly_strands(40, 6, 1), nullptr,
+                                     {.guides = {.share = 0.2}, .segments = 12}, "g");
+    EXPECT_TRUE(taken.fit.fitted);
+    EXPECT_EQ(taken.guides.segments, 12);
+}
+
+TEST(LeaveOut, AGroomWithNothingToPredictIsRefused) {
+    const Strands strands = curly_strands(10, 7);
+    EXPECT_NE(input_error([&] {
+                  leave_out(strands, nullptr, {.guides = {.number = 10}}, "g.hair");
+              }).find("g.hair: 10 of its 10 strands"),
+              std::string::npos);
+    const Strands one = curly_strands(1, 7);
+    EXPECT_NE(input_error([&] { leave_out(one, nullptr, {}, "g.hair"); }), "");
+}
+
+TEST(LeaveOut, StrandsWithoutALengthAreLeftAsideAndCounted) {
+    Strands strands = curly_strands(30, 8);
+    for (std::uint32_t p = strands.first[3]; p < strands.first[4]; ++p)
+        strands.points[p] = Vec3f(1, 1, 0);
+    for (std::uint32_t p = strands.first[5]; p < strands.first[6]; ++p)
+        strands.points[p] *= 1e-20f;
+    const LeaveOut taken = leave_out(strands, nullptr, {.guides = {.number = 5}}, "g");
+    EXPECT_EQ(taken.flat_strands, 2u);
+    EXPECT_EQ(taken.guides.size() + taken.binding.size(), 28u);
+    EXPECT_FALSE(std::ranges::binary_search(taken.child_strands, 3u));
+}
+
+}  // namespace
+}  // namespace lancret

@@ -1,0 +1,202 @@
+// The faces of ribbons in time.
+
+#include "procedural/expand/faces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "procedural/groom/ready_groom.h"
+#include "tests/procedural/made_hair.h"
+
+namespace lancret {
+namespace {
+
+using test::standing_guides;
+using test::StandingGuides;
+
+constexpr int kIntervals = 12;
+
+/// The guides with all curvatures times `share`: 1 is rest, 0 straight.
+GuideProfiles<float> swung(const Guides& rest, double share) {
+    Guides guides = rest;
+    for (Vec3& u : guides.curvatures) u *= share;
+    return guide_profiles<float>(guides, kIntervals);
+}
+
+/// Children between `standing`, with the faces of their rest pose.
+Binding with_faces(const StandingGuides& standing, int neighbours, Blend blend) {
+    Binding out = bind(test::plane_roots(200, 5), standing.guides, standing.normals,
+                       {.neighbours = neighbours});
+    out.faces = rest_faces(out, swung(standing.guides, 1), blend);
+    return out;
+}
+
+Curves ribbons(const Binding& binding, const GuideProfiles<float>& profiles,
+               Blend blend) {
+    // By the scalar blends, which choose the faces.
+    Curves out;
+    expand(binding, profiles, {}, {.blend = blend, .shape = CurveShape::ribbon}, out);
+    return out;
+}
+
+std::vector<HelixState<float>> states_of(const Binding& binding,
+                                         const GuideProfiles<float>& profiles,
+                                         Blend blend, std::size_t i) {
+    std::vector<HelixState<float>> out(kIntervals + 1);
+    synthesize_child<float>(binding, profiles, blend, i, out);
+    return out;
+}
+
+TEST(RibbonFaces, StayWhereABendSwingsThroughStraight) {
+    // Each guide bends in one plane, and so does a child of that guide alone: its normal
+    // at a place turns by the change of the bend up to there, and by no more.
+    StandingGuides standing = standing_guides(30, 4, 3, 0.1);
+    double bend = 0;  // the largest of a whole strand, radian
+    for (std::size_t g = 0; g < standing.guides.size(); ++g) {
+        const double angle = double(g);
+        double sum = 0;
+        for (std::size_t q = 4 * g; q < 4 * g + 4; ++q) {
+            Vec3& u = standing.guides.curvatures[q];
+            const double size = 0.05 + u.norm() / 10;
+            u = size * Vec3(0, std::cos(angle), std::sin(angle));
+            sum += size * standing.guides.segment_lengths[q];
+        }
+        bend = std::max(bend, sum);
+    }
+    constexpr int kSteps = 40;
+    // Frames in single precision are good to 5e-7; the anchor's tilt divides what two
+    // spines round to by 0.05: 2 * 5e-7 / 0.05 = 2e-5 of either moment.
+    const double most = bend * 2 / kSteps + 2 * 2e-5;
+    ASSERT_LT(most, 0.2);
+    for (const BlendName& entry : kBlendNames) {
+        SCOPED_TRACE(entry.name);
+        const Binding binding = with_faces(standing, 1, entry.blend);
+        Curves before = ribbons(binding, swung(standing.guides, 1), entry.blend);
+        double largest = 0;
+        for (int step = 1; step <= kSteps; ++step) {
+            const double share = 1 - 2.0 * step / kSteps;
+            Curves now = ribbons(binding, swung(standing.guides, share), entry.blend);
+            for (std::size_t j = 0; j < now.normals.size(); ++j) {
+                const std::size_t place = j % now.points_of(0);
+                // The outermost control points are no normals of a place.
+                if (place == 0 || place == kIntervals + 2) continue;
+                const Vec3f turn = now.normals[j].xyz() - before.normals[j].xyz();
+                largest = std::max(largest, double(turn.norm()));
+            }
+            before = std::move(now);
+        }
+        EXPECT_LE(largest, most);
+    }
+}
+
+TEST(RibbonFaces, OfTwoMomentsNeverBlendToNothing) {
+    // The unit normals of two moments are turned into each other by the turn of the
+    // strand's own frame and by no more; what is left of them halfway is at least the
+    // cosine of half of it. The guides twist too, and swing through straight between the
+    // moments, where the face that each pose would choose for itself flips.
+    const StandingGuides standing = standing_guides(30, 4, 7);
+    for (const BlendName& entry : kBlendNames) {
+        // Its frames turn about with the bend: the test above.
+        if (entry.blend == Blend::option1 || entry.blend == Blend::option1_anchored)
+            continue;
+        SCOPED_TRACE(entry.name);
+        const Binding binding = with_faces(standing, 4, entry.blend);
+        const auto opening = swung(standing.guides, 0.08);
+        const auto closing = swung(standing.guides, -0.08);
+        const Curves from = ribbons(binding, opening, entry.blend);
+        const Curves to = ribbons(binding, closing, entry.blend);
+        std::size_t met = 0, flips = 0;
+        for (std::size_t i = 0; i < binding.size(); ++i) {
+            const auto a = states_of(binding, opening, entry.blend, i);
+            const auto b = states_of(binding, closing, entry.blend, i);
+            flips += bent_face(a).dot(bent_face(b)) < -0.9f;
+            for (std::size_t j = 0; j <= kIntervals; ++j) {
+                const Mat3f turn = b[j].frame * a[j].frame.transpose();
+                const float cosine = (turn.trace() - 1) / 2;
+                if (!(cosine > 0)) continue;
+                ++met;
+                const std::size_t at = i * from.points_of(0) + j + 1;
+                const Vec3f half = (from.normals[at].xyz() + to.normals[at].xyz()) / 2;
+                // Frames are good to 5e-7, cos^2(turn / 2) = (1 + cosine) / 2 to thrice
+                // that.
+                EXPECT_GE(half.squaredNorm(), (1 + cosine) / 2 - 2e-6f) << i << ' ' << j;
+            }
+        }
+        EXPECT_GT(met, binding.size() * kIntervals / 2);
+        EXPECT_GT(flips, binding.size() / 2);
+    }
+}
+
+TEST(RibbonFaces, AtRestAreThoseThatEachStrandBendsOver) {
+    const StandingGuides standing = standing_guides(30, 4, 9);
+    const auto rest = swung(standing.guides, 1);
+    for (const BlendName& entry : kBlendNames) {
+        SCOPED_TRACE(entry.name);
+        const Binding binding = with_faces(standing, 4, entry.blend);
+        const Curves curves = ribbons(binding, rest, entry.blend);
+        const bool turned =
+            entry.blend == Blend::option1 || entry.blend == Blend::option1_anchored;
+        std::vector<Point4f> normals(kIntervals + 3);
+        for (std::size_t i = 0; i < binding.size(); ++i) {
+            const auto states = states_of(binding, rest, entry.blend, i);
+            ribbon_normals(states, bent_face(states), normals);
+            const Point4f* out = &curves.normals[i * curves.points_of(0)];
+            if (!turned) {
+                EXPECT_EQ(
+                    std::memcmp(out, normals.data(), normals.size() * sizeof(Point4f)), 0)
+                    << i;
+                continue;
+            }
+            // Option 1's angle is turned there and back, in a few roundings of 6e-8; the
+            // outermost control point is 2 of one normal less the next.
+            for (std::size_t j = 0; j < normals.size(); ++j)
+                EXPECT_LT((out[j].xyz() - normals[j].xyz()).norm(), 3e-6f) << i;
+        }
+    }
+}
+
+TEST(RibbonFaces, MoveNoStrandAndAreThoseOfTheScalarBlends) {
+    const StandingGuides standing = standing_guides(30, 4, 9);
+    const auto rest = swung(standing.guides, 1);
+    for (const BlendName& entry : kBlendNames) {
+        SCOPED_TRACE(entry.name);
+        const Binding binding = with_faces(standing, 4, entry.blend);
+        const Curves scalar = ribbons(binding, rest, entry.blend);
+        const Curves fast =
+            expand(binding, rest, {.blend = entry.blend, .shape = CurveShape::ribbon});
+        const Curves plain = expand(binding, rest, {.blend = entry.blend});
+        ASSERT_EQ(fast.points.size(), plain.points.size());
+        EXPECT_EQ(
+            std::memcmp(fast.points.data(), plain.points.data(), plain.points.bytes()),
+            0);
+        ASSERT_EQ(fast.normals.size(), scalar.normals.size());
+        // Frames differ by up to 1e-4 radian (option 1's, kernel_curl_test.cpp) and faces
+        // as much; the outermost control point is 2 of one normal less the next.
+        for (std::size_t j = 0; j < fast.normals.size(); ++j)
+            EXPECT_LT((fast.normals[j].xyz() - scalar.normals[j].xyz()).norm(), 1e-3f);
+    }
+}
+
+TEST(RibbonFaces, AreChosenForGroomsOfRibbonsAlone) {
+    Groom groom;
+    groom.name = "small";
+    groom.made.strands = 60;
+    groom.guides.number = 20;
+    groom.fit.segments = 8;
+    groom.strands = 50;
+    EXPECT_TRUE(make_generator(groom).binding.faces.empty());
+    groom.expand.faces = true;
+    EXPECT_EQ(make_generator(groom).binding.faces.size(), 50u);
+    groom.expand.faces = false;
+    groom.expand.shape = CurveShape::ribbon;
+    Generator generator = make_generator(groom);
+    EXPECT_EQ(generator.binding.faces.size(), 50u);
+    generator.binding.faces.clear();
+    EXPECT_THROW(expand(generator.binding, generator.profiles, groom.expand),
+                 std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lancret

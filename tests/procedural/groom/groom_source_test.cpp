@@ -1,0 +1,67 @@
+// Values laid over a groom's own.
+
+#include "procedural/groom/groom_source.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/guides/base/temporary_folder.h"
+
+namespace lancret {
+namespace {
+
+Groom groom_of(const std::string& text, std::vector<GroomParameter> parameters) {
+    GroomSource source;
+    source.text = text;
+    source.parameters = std::move(parameters);
+    return read_groom_source(source).groom;
+}
+
+TEST(GroomParameters, TakeThePlaceOfWhatTheGroomSays) {
+    const std::string text =
+        "[guides]\ncount = 7\n[strands]\ncount = 10\nblend = 'bishop'\nadapt = true\n";
+    const Groom groom = groom_of(text, {{"strands.count", std::nullopt, 20},
+                                        {"strands.blend", "position", 0},
+                                        {"strands.adapt", std::nullopt, 0}});
+    EXPECT_EQ(groom.strands, 20u);
+    EXPECT_EQ(groom.expand.blend, Blend::position);
+    EXPECT_FALSE(groom.adapt);
+    EXPECT_EQ(groom.guides.number, 7u);
+}
+
+TEST(GroomParameters, OneWayOfCountingGuidesTakesThePlaceOfTheOther) {
+    const GuideCount share =
+        groom_of("[guides]\ncount = 7\n", {{"guides.share", std::nullopt, 0.5}}).guides;
+    EXPECT_EQ(share.number, std::nullopt);
+    EXPECT_EQ(share.share, 0.5);
+    const GuideCount number =
+        groom_of("[guides]\nshare = 0.5\n", {{"guides.count", std::nullopt, 9}}).guides;
+    EXPECT_EQ(number.number, 9u);
+    EXPECT_EQ(number.share, std::nullopt);
+    EXPECT_THAT(input_error([] {
+                    groom_of("", {{"guides.count", std::nullopt, 9},
+                                  {"guides.share", std::nullopt, 0.5}});
+                }),
+                testing::HasSubstr("not both"));
+}
+
+TEST(GroomParameters, SeedsAreTextsWhereDoublesDoNotHoldThem) {
+    const auto seed = [](GroomParameter parameter) {
+        parameter.name = "strands.seed";
+        return groom_of("[strands]\nseed = 5\n", {parameter}).seed;
+    };
+    EXPECT_EQ(seed({"", "18446744073709551615", 0}), 18446744073709551615u);
+    EXPECT_EQ(seed({"", "9007199254740993", 0}), 9007199254740993u);
+    EXPECT_EQ(seed({"", std::nullopt, 6}), 6u);
+    for (const char* text : {"", "-1", "1e3", "18446744073709551616", "7 "}) {
+        EXPECT_THAT(input_error([&] {
+                        seed({"", text, 0});
+                    }),
+                    testing::HasSubstr("'seed' must be a whole number"));
+    }
+    // In the file itself a text is none.
+    EXPECT_THAT(input_error([] { groom_of("[strands]\nseed = '5'\n", {}); }),
+                testing::HasSubstr("'seed' must be a whole number"));
+}
+
+}  // namespace
+}  // namespace lancret

@@ -1,0 +1,229 @@
+#include "procedural/groom/ready_groom.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "guides/files/guide_cache.h"
+#include "guides/files/hair_file.h"
+#include "procedural/check/check.h"
+#include "tests/guides/base/temporary_folder.h"
+
+namespace lancret {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+Groom small_made_groom() {
+    Groom groom;
+    groom.name = "small";
+    groom.made.strands = 60;
+    groom.guides.number = 20;
+    groom.fit.segments = 24;
+    groom.strands = 400;
+    return groom;
+}
+
+CheckReport check_of(const Generator& generator, Blend blend) {
+    ExpandSettings settings = generator.groom.expand;
+    settings.blend = blend;
+    const Curves curves = expand(generator.binding, generator.profiles, settings);
+    CheckTolerances tolerances;
+    tolerances.distance = generator.groom.tolerance;
+    const ClassedGuides alike =
+        one_class(generator.profiles, generator.binding.guide_normals, blend);
+    return check(generator.binding, generator.source.guides, alike, curves, blend,
+                 generator.groom.bind.length_scale, tolerances);
+}
+
+double median(std::vector<double> values) {
+    std::ranges::nth_element(values, values.begin() + values.size() / 2);
+    return values[values.size() / 2];
+}
+
+TEST(Generator, MakesTheSmallGroomFromEndToEnd) {
+    std::vector<std::string> stages;
+    const Generator generator = make_generator(
+        small_made_groom(), [&](const char* stage) { stages.emplace_back(stage); });
+    EXPECT_EQ(stages, (std::vector<std::string>{"load", "fit", "bind"}));
+    EXPECT_EQ(generator.source.groom_strands, 60u);
+    EXPECT_EQ(generator.source.guides.size(), 20u);
+    EXPECT_EQ(generator.source.fits.size(), 20u);
+    EXPECT_EQ(generator.source.normals.size(), 20u);
+    EXPECT_EQ(generator.binding.size(), 400u);
+    EXPECT_EQ(generator.binding.roots.uvs.size(), 400u);
+    EXPECT_EQ(generator.profiles.count % 24, 0);
+    EXPECT_TRUE(generator.source.whole_scalp);
+    ASSERT_TRUE(generator.source.body);
+    for (const Vec3f& p : generator.binding.roots.positions) {
+        // The scalp is a mesh inside the ellipsoid whose vertices lie on it.
+        const double level = p.cast<double>().cwiseQuotient(kMadeHead).squaredNorm();
+        EXPECT_LE(level, 1 + 1e-5);
+        EXPECT_GT(level, 0.97);
+    }
+    // Guides of 25 to 35 cm, and so are the children.
+    for (const float length : generator.binding.lengths) {
+        EXPECT_GT(length, 24);
+        EXPECT_LT(length, 36);
+    }
+}
+
+TEST(Generator, EveryChildOfTheSmallGroomPassesTheCheck) {
+    const Generator generator = make_generator(small_made_groom());
+    const CheckReport report = check_of(generator, Blend::option1);
+    std::size_t failed = 0;
+    double longest = 0;
+    for (const StrandCheck& s : report.strands) {
+        longest = std::max(longest, std::abs(double(s.length_error)));
+        EXPECT_LE(s.orthogonality, 1e-6);
+        EXPECT_LE(s.root_distance, 1e-3);
+        EXPECT_TRUE(s.finite && s.inside_bound && s.inside_hull) << s.strand;
+        failed += !report.passes(s);
+    }
+    EXPECT_LE(longest, 1e-5);
+    EXPECT_EQ(failed, 0u);
+}
+
+TEST(Generator, BlendOfPositionsLosesTheLengthThatOption1Keeps) {
+    const Generator generator = make_generator(small_made_groom());
+    std::vector<double> option1, position;
+    for (const StrandCheck& s : check_of(generator, Blend::option1).strands) {
+        option1.push_back(s.length_error);
+    }
+    for (const StrandCheck& s : check_of(generator, Blend::position).strands) {
+        position.push_back(s.length_error);
+    }
+    // A mean of unit tangents is shorter than one: never longer, and in waves that differ
+    // from guide to guide well shorter.
+    EXPECT_LT(median(position), -0.01);
+    EXPECT_LT(std::ranges::max(position), 1e-3);
+    EXPECT_NEAR(median(option1), 0, 1e-5);
+}
+
+TEST(Generator, IsTheSameEveryTime) {
+    const Generator a = make_generator(small_made_groom());
+    const Generator b = make_generator(small_made_groom());
+    EXPECT_EQ(a.source.guides.curvatures, b.source.guides.curvatures);
+    EXPECT_EQ(a.binding.roots.positions, b.binding.roots.positions);
+    EXPECT_EQ(a.binding.weights, b.binding.weights);
+    EXPECT_EQ(a.profiles.count, b.profiles.count);
+}
+
+TEST(Generator, TakesGuidesFromACacheAsTheyAre) {
+    TemporaryFolder folder;
+    Groom groom = small_made_groom();
+    const Guides guides = make_generator(groom).source.guides;
+    write_guide_cache(folder / "guides.h5", {}, {&guides, 1});
+    groom.strands_file = folder / "guides.h5";
+    groom.strands = 20;  // on the guides' own roots: a cache alone has no scalp
+    const Generator cached = make_generator(groom);
+    EXPECT_EQ(cached.source.guides.root_positions, guides.root_positions);
+    EXPECT_EQ(cached.source.guides.root_frames, guides.root_frames);
+    EXPECT_EQ(cached.source.guides.segment_lengths, guides.segment_lengths);
+    EXPECT_EQ(cached.source.guides.curvatures, guides.curvatures);
+    EXPECT_TRUE(cached.source.fits.empty());
+    EXPECT_EQ(cached.binding.size(), 20u);
+    for (std::size_t i = 0; i < 20; ++i) {
+        EXPECT_EQ(cached.source.normals[i], guides.root_frames[i].col(0).cast<float>());
+    }
+    groom.strands = 21;
+    EXPECT_THAT(input_error([&] { make_generator(groom); }), HasSubstr("--scalp"));
+}
+
+TEST(Generator, ScalesFilesToCentimetres) {
+    TemporaryFolder folder;
+    Strands strands = make_groom({.strands = 30}).strands;
+    write_hair(folder / "cm.hair", strands);
+    for (Vec3f& p : strands.points) p /= 100;
+    write_hair(folder / "m.hair", strands);
+    Groom groom = small_made_groom();
+    groom.guides.number = 30;
+    groom.fit.segments = 8;
+    groom.strands = 20;
+    groom.strands_file = folder / "cm.hair";
+    const Generator centimetres = make_generator(groom);
+    groom.strands_file = folder / "m.hair";
+    groom.scene.metres_per_unit = 1;
+    const Generator metres = make_generator(groom);
+    ASSERT_EQ(metres.source.guides.size(), 30u);
+    for (std::size_t g = 0; g < 30; ++g) {
+        // Points of up to 40 cm, rounded twice more on their way through metres.
+        EXPECT_LT((metres.source.guides.root_positions[g] -
+                   centimetres.source.guides.root_positions[g])
+                      .norm(),
+                  1e-5);
+        EXPECT_NEAR(guide_length(metres.source.guides, g),
+                    guide_length(centimetres.source.guides, g), 1e-3);
+    }
+}
+
+TEST(Generator, SnapsRootsToTheScalpAndCountsThem) {
+    TemporaryFolder folder;
+    // Straight strands 0.25 cm above a square, but for the first, which stands on it.
+    Strands strands;
+    for (int i = 0; i < 9; ++i) {
+        const float z = i == 0 ? 0 : 0.25f;
+        for (int j = 0; j < 5; ++j) {
+            strands.points.emplace_back(1 + i % 3, 1 + i / 3, z + float(j));
+        }
+        strands.first.push_back(std::uint32_t(strands.points.size()));
+    }
+    write_hair(folder / "a.hair", strands);
+    write_bytes(folder / "square.obj",
+                "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n");
+    Groom groom = small_made_groom();
+    groom.strands_file = folder / "a.hair";
+    groom.scalp_file = folder / "square.obj";
+    groom.strands = 100;
+    const Generator generator = make_generator(groom);
+    EXPECT_EQ(generator.source.snapped_roots, 8u);
+    EXPECT_NEAR(generator.source.largest_snap, 0.25, 1e-6);
+    for (const Vec3& p : generator.source.guides.root_positions) {
+        EXPECT_NEAR(p.z(), 0, 1e-6);
+    }
+    for (const Vec3f& n : generator.source.normals) EXPECT_EQ(n, Vec3f::UnitZ());
+    EXPECT_TRUE(check_of(generator, Blend::option1).pass());
+}
+
+TEST(Generator, ErrorsNameTheFile) {
+    TemporaryFolder folder;
+    Groom groom = small_made_groom();
+    groom.strands_file = folder / "none.hair";
+    EXPECT_THAT(input_error([&] { make_generator(groom); }),
+                StartsWith((folder / "none.hair").string()));
+    groom = small_made_groom();
+    groom.scalp_file = folder / "none.obj";
+    EXPECT_THAT(input_error([&] { make_generator(groom); }),
+                StartsWith((folder / "none.obj").string()));
+}
+
+TEST(Generator, GrowsARealGroom) {
+    const std::filesystem::path data = LANCRET_SOURCE_DIR "/../shared/data";
+    if (!std::filesystem::exists(data / "sintel.hair")) {
+        GTEST_SKIP() << "no real grooms in " << data;
+    }
+    Groom groom;
+    groom.name = "sintel";
+    groom.strands_file = data / "sintel.hair";
+    groom.guides.number = 150;
+    groom.strands = 1000;
+    const Generator generator = make_generator(groom);
+    std::vector<double> rms;
+    for (const FitReport& fit : generator.source.fits) {
+        rms.push_back(fit.rms / fit.length);
+    }
+    ASSERT_EQ(rms.size(), 150u);
+    EXPECT_LT(median(rms), 0.01);
+    const CheckReport report = check_of(generator, Blend::option1);
+    for (const StrandCheck& s : report.strands) {
+        EXPECT_LE(std::abs(s.length_error), 1e-5) << s.strand;
+        EXPECT_LE(s.orthogonality, 1e-6) << s.strand;
+        EXPECT_TRUE(s.finite && s.inside_bound && s.inside_hull) << s.strand;
+    }
+    EXPECT_TRUE(report.pass());
+}
+
+}  // namespace
+}  // namespace lancret

@@ -1,0 +1,268 @@
+#include "tools/preview/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "guides/base/errors.h"
+
+namespace lancret {
+
+namespace {
+
+/// Paths a pixel of a draft: a quarter of what a quiet picture needs, and enough for the
+/// variance by which it is denoised.
+constexpr int kDraftSamples = 4;
+
+/// "A,B", two numbers.
+std::optional<Vec2> parse_pair(const std::string& text) {
+    Vec2 out;
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const bool good = CLI::detail::lexical_cast(text.substr(0, comma), out.x()) &&
+                      comma < text.size() &&
+                      CLI::detail::lexical_cast(text.substr(comma + 1), out.y());
+    if (!good) return std::nullopt;
+    return out;
+}
+
+/// "0,0.5" or "-0.25,0.25". Throws InputError.
+Vec2 parse_shutter(const std::string& text) {
+    const std::optional<Vec2> out = parse_pair(text);
+    if (!out || !is_shutter(*out)) {
+        throw InputError(fmt::format(
+            "--shutter: '{}' is no shutter; give when it opens and closes, in frames "
+            "after the frame, such as 0,0.5",
+            text));
+    }
+    return *out;
+}
+
+/// Throws InputError where an option of light is asked of a view, which traces none.
+void refuse_with_view(const PreviewOptions& options) {
+    if (options.view.empty()) return;
+    const std::pair<bool, const char*> asked[] = {{!options.deep.empty(), "--deep"},
+                                                  {options.denoise, "--denoise"},
+                                                  {options.draft, "--draft"},
+                                                  {options.noise.has_value(), "--noise"}};
+    for (const auto& [given, name] : asked) {
+        if (given) {
+            throw InputError(fmt::format(
+                "{}: is for a picture of light, and --view {} shows figures; leave one "
+                "of them out",
+                name, options.view));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<PictureFiles> outputs_of(const PreviewOptions& options, const Job& job,
+                                     const ChosenFrames& chosen) {
+    std::vector<PictureFiles> out;
+    const bool several = chosen.frames.size() > 1;
+    if (options.turntable && several) {
+        throw InputError(
+            "--turntable: goes round one frame; give --frame and not --frames");
+    }
+    if (options.progressive && !options.deep.empty()) {
+        throw InputError("--deep: is written once, at the end; leave out --progressive");
+    }
+    refuse_with_view(options);
+    const auto add = [&](const auto& path_of) {
+        out.push_back({path_of(options.output), options.deep.empty()
+                                                    ? std::filesystem::path()
+                                                    : path_of(options.deep)});
+    };
+    for (int view = 1; view <= options.turntable.value_or(0); ++view) {
+        add([&](const std::string& name) { return picture_path(name, view, true); });
+    }
+    for (const double frame : chosen.frames) {
+        if (options.turntable) break;
+        add([&](const std::string& name) {
+            return options.frames.given() ? picture_path(name, frame, several)
+                                          : std::filesystem::path(name);
+        });
+    }
+    const std::filesystem::path sheet = options.contact_sheet;
+    if (!sheet.empty() && !options.turntable && options.frames.frames.empty()) {
+        throw InputError(
+            "--contact-sheet: is of several pictures; give --frames or --turntable");
+    }
+    check_output(sheet, {".png"}, options.groom, job.groom, options.groom.stats);
+    for (const auto& [picture, deep] : out) {
+        check_output(picture, {".exr", ".png"}, options.groom, job.groom, sheet);
+        check_output(deep, {".exr"}, options.groom, job.groom, picture);
+        check_output(options.groom.stats, {}, options.groom, job.groom, picture);
+        check_output(options.groom.stats, {}, options.groom, job.groom, deep);
+    }
+    return out;
+}
+
+void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
+              PreviewSettings& settings) {
+    RenderSettings& render = settings.render;
+    if (!options.size.empty()) {
+        std::tie(render.width, render.height) = parse_size(options.size);
+    }
+    if (!options.view.empty()) {
+        // An instant, sharp, on a dark ground; a view has little noise.
+        render.samples = 8;
+        render.noise = 0;
+        settings.shutter.reset();
+        settings.camera.f_stop.reset();
+        settings.least_width = 0;
+        settings.background = Vec3f::Constant(0.012f);
+    }
+    settings.denoise = options.denoise || options.draft;
+    if (options.draft) render.samples = kDraftSamples, render.noise = 0;
+    if (options.samples) render.samples = *options.samples;
+    if (options.noise) {
+        render.noise = *options.noise;
+        if (!settings.samples_given) render.samples = kMostAdaptiveSamples;
+    }
+    if (settings.denoise && render.samples < 2) {
+        throw InputError(
+            "--denoise and --draft: one sample a pixel does not tell what is noise; give "
+            "--samples 2 "
+            "or more");
+    }
+    if (options.regularisation) settings.regularisation = *options.regularisation;
+    if (const auto* name = std::ranges::find(kLobeWidthNames, options.lobes);
+        name != kLobeWidthNames.end())
+        render.path.lobes = LobeWidth(name - kLobeWidthNames.begin());
+    if (options.motion_samples) settings.motion_samples = *options.motion_samples;
+    if (options.shutter.empty()) return;
+    settings.shutter = parse_shutter(options.shutter);
+    if (chosen.cache.empty()) {
+        throw InputError(
+            "--shutter: the groom is no cache (.h5) and so holds still; simulate one");
+    }
+}
+
+std::optional<ViewRequest> view_request(const PreviewOptions& options) {
+    if (options.view.empty()) return std::nullopt;
+    ViewRequest out{*view_named(options.view), std::nullopt};
+    if (options.view_range.empty()) return out;
+    out.range = parse_pair(options.view_range);
+    // Written so that a NaN is none.
+    if (!out.range || !(out.range->x() < out.range->y()) ||
+        !(out.range->cwiseAbs().maxCoeff() <= 1e30)) {
+        throw InputError(fmt::format(
+            "--view-range: '{}' is no range; give two numbers, the smaller first, such "
+            "as 0,2.5",
+            options.view_range));
+    }
+    check_range(out);
+    return out;
+}
+
+void add_preview_options(CLI::App& command, PreviewOptions& options) {
+    add_groom_options(command, options.groom);
+    add_frames_options(command, options.frames);
+    command.add_option("--samples", options.samples, "paths a pixel")
+        ->type_name("N")
+        ->check(CLI::Range(1, 65536));
+    command
+        .add_option("--noise", options.noise,
+                    "render until the picture has this relative noise, each pixel with "
+                    "as many paths as it needs, at most --samples (1024 by default)")
+        ->type_name("N")
+        ->check(between(0.001, 10.0));
+    command
+        .add_option("--lod", options.lod,
+                    "level of detail: at most this many strands for each pixel that a "
+                    "chunk of hair covers, wider as they are fewer")
+        ->type_name("N")
+        ->check(between(1e-6, 1e6));
+    command.add_option("--size", options.size, "of the picture, pixels")
+        ->type_name("WxH")
+        ->check(not_empty());
+    command
+        .add_option("--shutter", options.shutter,
+                    "motion blur: when it opens and closes, in frames after the frame")
+        ->type_name("A,B")
+        ->check(not_empty());
+    command
+        .add_option("--motion-samples", options.motion_samples,
+                    "times in the shutter at which the strands are grown")
+        ->type_name("N")
+        ->check(CLI::Range(2, int(kMostSceneTimes)));
+    command
+        .add_option("--regularisation", options.regularisation,
+                    "least roughness of hair after a path's first scattering: less "
+                    "noise, a little brighter; 0.5 by default, 0 for a reference")
+        ->type_name("R")
+        ->check(between(0, 1));
+    command
+        .add_option("--lobes", options.lobes,
+                    "light across a strand: 'near' by where it is met, 'far' its mean, "
+                    "'auto' the mean of strands thinner than a pixel")
+        ->check(CLI::IsMember(
+            std::vector<std::string>(kLobeWidthNames.begin(), kLobeWidthNames.end())));
+    command
+        .add_flag(
+            "--draft", options.draft,
+            "quickly: 4 paths a pixel, denoised; blurs what strands do to each other")
+        ->excludes("--noise");
+    command.add_flag("--progressive", options.progressive,
+                     "write the picture at 1, 2, 4, ... samples a pixel");
+    command
+        .add_option("--turntable", options.turntable,
+                    "views evenly round the groom, grown once; numbers the pictures")
+        ->type_name("N")
+        ->check(CLI::Range(2, 100000));
+    command.add_flag("--denoise", options.denoise,
+                     "less noise of few samples, by a filter that coverage, normals, "
+                     "tangents and depth guide");
+    command
+        .add_option("--deep", options.deep,
+                    "beside the picture a deep one (.exr): strands at their depths")
+        ->type_name("FILE")
+        ->check(not_empty());
+    command
+        .add_option("--contact-sheet", options.contact_sheet,
+                    "with --frames or --turntable: all pictures as one besides")
+        ->type_name("PNG")
+        ->check(not_empty());
+    std::vector<std::string> views;
+    for (const ViewName& entry : kViewNames) views.emplace_back(entry.name);
+    CLI::Option* view =
+        command
+            .add_option("--view", options.view,
+                        "in place of hair: a figure of every strand as a false colour")
+            ->type_name("NAME")
+            ->check(CLI::IsMember(views))
+            ->excludes("--shutter")
+            ->excludes("--motion-samples");
+    command
+        .add_option("--view-range", options.view_range,
+                    "the figures at the ends of the view's colours")
+        ->type_name("A,B")
+        ->check(not_empty())
+        ->needs(view);
+    command
+        .add_option("-o,--output", options.output,
+                    "the picture: .exr or .png; of several frames, head.####.png")
+        ->required()
+        ->type_name("FILE")
+        ->check(not_empty());
+    command.footer(
+        "Examples:\n"
+        "  lancret preview examples/made_groom.toml -o head.png\n"
+        "  lancret preview groom.hair --scalp head.obj --guides 400 --strands 100000 -o "
+        "head.exr\n"
+        "  lancret preview cache.h5 --frames 1-96 -o head.####.png\n"
+        "  lancret preview cache.h5 --frame 12 --shutter 0,0.5 -o blurred.png\n"
+        "  lancret preview groom.toml --turntable 48 -o turn.####.png\n"
+        "  lancret preview groom.toml --view curvature -o curvature.png\n"
+        "  lancret preview groom.toml --progressive -o window.png\n"
+        "  lancret preview groom.toml --noise 0.1 -o even.exr\n"
+        "  lancret preview groom.toml -o head.exr --deep head_deep.exr\n"
+        "  lancret preview groom.toml --draft -o draft.png\n"
+        "  lancret preview groom.hair --guides 5% --strands 5000 --size 640x640 "
+        "--samples 16 "
+        "-o quick.png");
+}
+
+}  // namespace lancret

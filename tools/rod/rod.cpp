@@ -1,0 +1,191 @@
+// lancret rod: the strand laboratory. One rod, dimensionless, under its own weight.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "guides/base/errors.h"
+#include "sim/equilibrium/modes.h"
+#include "tools/command.h"
+#include "tools/progress.h"
+#include "tools/rod/rod_plot.h"
+#include "tools/rod/rod_report.h"
+#include "tools/stats.h"
+
+namespace lancret {
+
+namespace {
+
+struct RodOptions {
+    RodSetup setup;
+    std::vector<double> natural = {0, 0, 0}, tangent = {1, 0, 0}, normal;
+    bool statics = false, buckling = false;
+    int modes = 0;
+    std::optional<double> release, step;
+    Integrator integrator = Integrator::bdf2;
+    std::string json, picture;
+};
+
+/// In its own folder and of its own extension, or nothing is computed.
+void check_rod_outputs(const RodOptions& options) {
+    check_output(options.json, {}, {}, {}, options.picture);
+    check_output(options.picture, {".png", ".exr"}, {}, {}, options.json);
+}
+
+RodRelease release_of(const RodOptions& options, const HangingRod& rod) {
+    ReleaseSettings settings;
+    settings.duration = *options.release;
+    settings.step = *options.step;
+    settings.stepping = to_round_off(options.integrator);
+    constexpr double kMostSteps = 1e8;
+    if (settings.duration / settings.step > kMostSteps) {
+        throw InputError(fmt::format("--dt: {:g} makes more than {:g} steps of {:g}",
+                                     settings.step, kMostSteps, settings.duration));
+    }
+    ProgressBar bar("letting go");
+    return release_rod(rod, settings, [&](double done) { bar.show(done); });
+}
+
+RodReport rod_report(const RodOptions& options) {
+    RodReport report;
+    report.setup = options.setup;
+    report.rod = rod_of(report.setup);
+    report.hung = rod_equilibrium(report.rod);
+    if (options.modes > 0) {
+        if (!report.hung.stable) {
+            throw InputError("--modes: no stable equilibrium was found to vibrate about");
+        }
+        report.modes = rod_frequencies(report.rod, report.hung.q, options.modes);
+    }
+    if (options.buckling) {
+        // From no weight up to well beyond what hair weighs, whatever gamma is.
+        HangingRod unit = report.rod;
+        unit.gravity = -Vec3::UnitZ();
+        constexpr std::size_t kMostChanges = 16;
+        report.most_gamma = std::max(1e4, report.setup.gamma);
+        report.changes = stability_changes(unit, report.most_gamma, kMostChanges);
+    }
+    if (options.release) report.release = release_of(options, report.rod);
+    return report;
+}
+
+int run_rod(RodOptions options) {
+    const auto vector = [](const std::vector<double>& v) {
+        return Vec3(v[0], v[1], v[2]);
+    };
+    options.setup.natural = vector(options.natural);
+    options.setup.root_tangent = vector(options.tangent);
+    if (!options.normal.empty()) options.setup.root_normal = vector(options.normal);
+    check_rod_outputs(options);
+    const RodReport report = rod_report(options);
+    if (!options.json.empty()) write_json(options.json, rod_json(report));
+    if (!options.picture.empty()) write_rod_plot(options.picture, report);
+    fmt::print("{}", rod_table(report));
+    if (!report.hung.converged) {
+        fmt::print(stderr, "lancret: warning: the equilibrium did not converge\n");
+        return kCheckFailed;
+    }
+    if (report.release && !report.release->finished) {
+        fmt::print(stderr,
+                   "lancret: warning: a step failed at t = {:g}; a shorter --dt "
+                   "or another --integrator may do\n",
+                   report.release->samples.back().time);
+        return kCheckFailed;
+    }
+    return kFine;
+}
+
+/// A number within [low, high]; NaN is not.
+CLI::Validator within(double low, double high) {
+    return {
+        [=](std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) {
+                return {};
+            }
+            return fmt::format("{} is not a number from {:g} to {:g}", text, low, high);
+        },
+        ""};
+}
+
+}  // namespace
+
+void add_rod(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<RodOptions>();
+    RodSetup& setup = options->setup;
+    CLI::App* rod =
+        app.add_subcommand("rod", "Hang one rod: shape, frequencies, buckling");
+    rod->add_option("--gamma", setup.gamma, "weight: rho S g L^3 / EI_1, along -z")
+        ->check(within(0, kMostGamma));
+    const auto triple = [&](const char* name, std::vector<double>& value,
+                            const char* what, const char* type) {
+        rod->add_option(name, value, what)
+            ->delimiter(',')
+            ->expected(3)
+            ->type_name(type)
+            ->check(within(-1e300, 1e300));
+    };
+    triple("--natural", options->natural, "natural twist and curvatures, times L",
+           "K0,K1,K2");
+    triple("--root-tangent", options->tangent, "where the clamped root points", "X,Y,Z");
+    triple("--root-normal", options->normal,
+           "n1, made perpendicular to the tangent; n2 = n0 x n1", "X,Y,Z");
+    rod->add_option("--torsion-ratio", setup.torsion_ratio, "GJ / EI_1")
+        ->check(within(1e-6, 1e9));
+    rod->add_option("--bending-ratio", setup.bending_ratio, "EI_2 / EI_1")
+        ->check(within(1e-6, 1e9));
+    rod->add_option("--segments", setup.segments, "helices of equal length")
+        ->type_name("N")
+        ->check(CLI::Range(1, 200));
+    rod->add_flag("--static", options->statics, "the shape in which it hangs (always)");
+    rod->add_option("--modes", options->modes, "the M lowest frequencies about it")
+        ->type_name("M")
+        ->check(CLI::Range(1, 600));
+    rod->add_flag("--buckling", options->buckling,
+                  "the gamma at which the shape stops or starts to be stable");
+    CLI::Option* release =
+        rod->add_option("--release", options->release,
+                        "let go of it in its natural shape, and follow it for so long")
+            ->type_name("TIME")
+            ->check(within(1e-12, 1e6));
+    CLI::Option* step = rod->add_option("--dt", options->step, "time step of --release")
+                            ->type_name("TIME")
+                            ->check(within(1e-12, 1e6));
+    release->needs(step);
+    step->needs(release);
+    rod->add_option("--integrator", options->integrator,
+                    "bdf2 (default), implicit-euler or semi-implicit")
+        ->type_name("NAME")
+        ->needs(release)
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Integrator>{
+            {"bdf2", Integrator::bdf2},
+            {"implicit-euler", Integrator::implicit_euler},
+            {"semi-implicit", Integrator::semi_implicit}}));
+    rod->add_option("--damping", setup.damping,
+                    "mu, a time: K mu q' resists --release; 0 unless said")
+        ->needs(release)
+        ->type_name("TIME")
+        ->check(within(0, 1e6));
+    rod->add_option("--json", options->json, "write all of it")
+        ->type_name("FILE")
+        ->check(not_empty());
+    rod->add_option("-o,--output", options->picture, "a picture (.png, .exr)")
+        ->type_name("FILE")
+        ->check(not_empty());
+    rod->footer(
+        "Dimensionless: L = EI_1 = rho S = 1, so frequencies are in sqrt(EI_1 / (rho S "
+        "L^4))\nand times in its inverse.\nExamples:\n"
+        "  lancret rod --gamma 10 --modes 6\n"
+        "  lancret rod --gamma 100 --natural 0,0,6.2832 --root-tangent 0,0,-1 "
+        "--root-normal 1,0,0 -o ring.png\n"
+        "  lancret rod --root-tangent 0,0,1 --buckling\n"
+        "  lancret rod --bending-ratio 1e8 --buckling --segments 40 --json strip.json\n"
+        "  lancret rod --gamma 10 --natural 1,0,5 --segments 5 --release 10 --dt 0.001 "
+        "-o "
+        "energy.png");
+    rod->callback([options, &exit_code] { exit_code = run_rod(*options); });
+}
+
+}  // namespace lancret

@@ -1,0 +1,209 @@
+#include "tools/rod/rod_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "guides/base/errors.h"
+#include "sim/equilibrium/measures.h"
+
+namespace lancret {
+
+namespace {
+
+nlohmann::json array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+Vec3 tip_of(const RodReport& report, const Eigen::VectorXd& q) {
+    return rod_joints(report.rod, q).back().position;
+}
+
+nlohmann::json energy_json(const HangingEnergy& energy) {
+    return {{"elastic", energy.elastic},
+            {"gravity", energy.gravity},
+            {"total", energy.total()}};
+}
+
+/// Puts the motion in the place of the shape in which the rod hangs, which goes into
+/// `equilibrium`.
+void add_release(const RodReport& report, nlohmann::json& out) {
+    const RodRelease& release = *report.release;
+    nlohmann::json hung;
+    for (const char* key : {"tip", "energy", "curvatures"}) hung[key] = out[key];
+    out["equilibrium"] = hung;
+    out["energy"] = nlohmann::json::array();
+    for (const ReleaseSample& s : release.samples) {
+        out["energy"].push_back({{"t", s.time},
+                                 {"kinetic", s.kinetic},
+                                 {"elastic", s.elastic},
+                                 {"gravity", s.weight},
+                                 {"total", s.total()}});
+    }
+    const std::optional<double> drift = energy_drift(report);
+    out["energy_drift"] = drift ? nlohmann::json(*drift) : nlohmann::json();
+    out["largest_rise"] = release.largest_rise;
+    out["tip"] = array(tip_of(report, release.q));
+    out["curvatures"] = nlohmann::json::array();
+    for (std::size_t i = 0; i < report.rod.segments(); ++i) {
+        out["curvatures"].push_back(array(release.q.segment<3>(3 * i)));
+    }
+    out["time"] = release.samples.back().time;
+    out["steps"] = release.steps;
+    out["unconverged_steps"] = release.unconverged;
+    out["finished"] = release.finished;
+    out["damping"] = report.setup.damping;
+}
+
+double root_curvature(const RodReport& report) {
+    return root_darboux(report.rod, report.hung.q).tail<2>().norm();
+}
+
+}  // namespace
+
+HangingRod rod_of(const RodSetup& setup) {
+    // Scaled first, so that no square is too large or too small for a double.
+    const auto unit = [](const Vec3& v, const char* option) -> Vec3 {
+        const double size = v.cwiseAbs().maxCoeff();
+        if (!v.allFinite() || !(size > 0)) {
+            throw InputError(fmt::format(
+                "{}: ({}, {}, {}) has no direction; give three finite numbers, not all 0",
+                option, v.x(), v.y(), v.z()));
+        }
+        return (v / size).normalized();
+    };
+    const Vec3 tangent = unit(setup.root_tangent, "--root-tangent");
+    Vec3 wish = Vec3::UnitZ();
+    if (setup.root_normal) {
+        wish = unit(*setup.root_normal, "--root-normal");
+    } else if (tangent.cross(wish).norm() < 1e-6) {
+        wish = Vec3::UnitX();
+    }
+    const Vec3 across = wish - tangent.dot(wish) * tangent;
+    if (!(across.norm() > 1e-9)) {
+        throw InputError("--root-normal: is along the root tangent; give one across it");
+    }
+    if (!setup.natural.allFinite() || setup.natural.cwiseAbs().maxCoeff() > 1e4) {
+        throw InputError("--natural: expected three numbers within 10000");
+    }
+    HangingRod rod;
+    rod.root.frame.col(0) = tangent;
+    rod.root.frame.col(1) = across.normalized();
+    rod.root.frame.col(2) = tangent.cross(rod.root.frame.col(1));
+    for (int i = 0; i < 4; ++i) orthonormalize(rod.root.frame);
+    rod.lengths.assign(setup.segments, 1. / setup.segments);
+    rod.natural.assign(setup.segments, setup.natural);
+    rod.section.stiffness = {setup.torsion_ratio, 1, setup.bending_ratio};
+    rod.section.damping = setup.damping * rod.section.stiffness;
+    rod.gravity = -setup.gamma * Vec3::UnitZ();
+    return rod;
+}
+
+std::optional<double> critical_gamma(const RodReport& report) {
+    if (!report.changes) return std::nullopt;
+    for (const StabilityChange& change : *report.changes) {
+        if (!change.stable) return change.weight;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> energy_drift(const RodReport& report) {
+    if (!report.release || !report.hung.converged) return std::nullopt;
+    const double first = report.release->samples.front().total();
+    const double depth = first - report.hung.energy.total();
+    // Round-off of either energy, many times over.
+    if (!(depth > 1e-12 * (report.setup.gamma + 1))) return std::nullopt;
+    return report.release->largest_change / depth;
+}
+
+std::string rod_table(const RodReport& report) {
+    const RodEquilibrium& hung = report.hung;
+    const Vec3 tip = tip_of(report, hung.q);
+    const LowestPoint low = lowest_point(report.rod, hung.q, Vec3::UnitZ());
+    std::string out;
+    const auto row = [&](const char* name, const std::string& value) {
+        out += fmt::format("{:<16}{}\n", name, value);
+    };
+    row("gamma", fmt::format("{}", report.setup.gamma));
+    row("tip", fmt::format("{:.8f} {:.8f} {:.8f}", tip.x(), tip.y(), tip.z()));
+    row("tip angle", fmt::format("{:.8f} rad", tip_angle(report.rod, hung.q)));
+    row("lowest", fmt::format("{:.8f} at s = {:.6f}", low.height, low.s));
+    row("root curvature", fmt::format("{:.8f}", root_curvature(report)));
+    row("energy",
+        fmt::format("{:.8g} elastic, {:.8g} gravity, {:.8g} total", hung.energy.elastic,
+                    hung.energy.gravity, hung.energy.total()));
+    row("stable",
+        fmt::format(
+            "{} (smallest eigenvalue {:.6g}){}", hung.stable ? "yes" : "no",
+            hung.smallest_eigenvalue,
+            hung.left_branch ? ", not the continuation of the natural shape" : ""));
+    if (!report.modes.empty()) {
+        row("frequencies", fmt::format("{:.6f}", fmt::join(report.modes, " ")));
+    }
+    if (report.changes && report.changes->empty()) {
+        row("buckling", fmt::format("none up to gamma {:g}", report.most_gamma));
+    } else if (report.changes) {
+        for (const StabilityChange& change : *report.changes) {
+            row("buckling", fmt::format("{} at gamma {:.8f}{}",
+                                        change.stable ? "stable again" : "unstable",
+                                        change.weight, change.fold ? ", by a snap" : ""));
+        }
+    }
+    if (report.release) {
+        const RodRelease& release = *report.release;
+        const Vec3 end = tip_of(report, release.q);
+        const std::optional<double> drift = energy_drift(report);
+        row("let go", fmt::format("{} steps to t = {:g}{}", release.steps,
+                                  double(release.samples.back().time),
+                                  release.finished ? "" : ", where the step failed"));
+        row("  tip", fmt::format("{:.8f} {:.8f} {:.8f}", end.x(), end.y(), end.z()));
+        row("  energy drift", drift ? fmt::format("{:.3g}", *drift) : "no scale for it");
+    }
+    return out;
+}
+
+nlohmann::json rod_json(const RodReport& report) {
+    const RodSetup& setup = report.setup;
+    const RodEquilibrium& hung = report.hung;
+    const LowestPoint low = lowest_point(report.rod, hung.q, Vec3::UnitZ());
+    nlohmann::json out = {
+        {"gamma", setup.gamma},
+        {"natural", array(setup.natural)},
+        {"root_tangent", array(report.rod.root.frame.col(0))},
+        {"root_normal", array(report.rod.root.frame.col(1))},
+        {"torsion_ratio", setup.torsion_ratio},
+        {"bending_ratio", setup.bending_ratio},
+        {"segments", setup.segments},
+        {"tip", array(tip_of(report, hung.q))},
+        {"tip_angle", tip_angle(report.rod, hung.q)},
+        {"lowest", low.height},
+        {"lowest_at", low.s},
+        {"root_curvature", root_curvature(report)},
+        {"root_darboux", array(root_darboux(report.rod, hung.q))},
+        {"energy", energy_json(hung.energy)},
+        {"stable", hung.stable},
+        {"converged", hung.converged},
+        {"left_branch", hung.left_branch},
+        {"snaps", hung.snaps},
+        {"smallest_eigenvalue", hung.smallest_eigenvalue},
+        {"modes", report.modes},
+    };
+    for (std::size_t i = 0; i < report.rod.segments(); ++i) {
+        out["curvatures"].push_back(array(hung.q.segment<3>(3 * i)));
+    }
+    const std::optional<double> critical = critical_gamma(report);
+    out["critical_gamma"] = critical ? nlohmann::json(*critical) : nlohmann::json();
+    if (report.changes) {
+        out["searched_to_gamma"] = report.most_gamma;
+        out["stability_changes"] = nlohmann::json::array();
+        for (const StabilityChange& change : *report.changes) {
+            out["stability_changes"].push_back({{"gamma", change.weight},
+                                                {"stable", change.stable},
+                                                {"snap", change.fold}});
+        }
+    }
+    if (report.release) add_release(report, out);
+    return out;
+}
+
+}  // namespace lancret
