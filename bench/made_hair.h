@@ -10,9 +10,9 @@
 
 namespace lancret::bench {
 
-inline const GroomGuides& made_guides() {
-    static const GroomGuides guides = [] {
-        Groom groom;
+inline const PlacedGuides& made_guides() {
+    static const PlacedGuides guides = [] {
+        GroomSettings groom;
         groom.name = "made groom";
         groom.fit.segments = 24;
         return groom_guides(groom);
@@ -21,7 +21,7 @@ inline const GroomGuides& made_guides() {
 }
 
 inline Roots made_roots(std::uint32_t children) {
-    const GroomGuides& guides = made_guides();
+    const PlacedGuides& guides = made_guides();
     return roots_on_scalp(*guides.scalp, guides.grown_roots, children, 0,
                           std::numeric_limits<double>::infinity());
 }
@@ -30,7 +30,7 @@ inline Roots made_roots(std::uint32_t children) {
 inline const Binding& made_binding(std::uint32_t children) {
     static Binding binding;
     if (binding.size() != children) {
-        const GroomGuides& guides = made_guides();
+        const PlacedGuides& guides = made_guides();
         binding = {};
         binding = bind(made_roots(children), guides.guides, guides.normals, {});
     }
@@ -41,7 +41,7 @@ inline const Binding& made_binding(std::uint32_t children) {
 inline int made_intervals() {
     static const int intervals =
         intervals_within(made_binding(10'000), made_guides().guides, Blend::option1,
-                         Groom().tolerance, CurveBasis::bspline);
+                         GroomSettings().tolerance, CurveBasis::bspline);
     return intervals;
 }
 

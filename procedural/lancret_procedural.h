@@ -7,12 +7,11 @@
  *     lancret_groom *groom;
  *     lancret_source source = {sizeof source};
  *     source.path = "head.toml";
- *     lancret_create(LANCRET_ABI_VERSION, NULL, &context);
- *     lancret_open(context, &source, &groom, error, sizeof error);
- *     lancret_get_info(groom, &info);
- *     for (i = 0; i < info.chunks; ++i) lancret_expand(groom, i, &options, sink, user);
- *     lancret_close(groom);
- *     lancret_destroy(context);
+ *     lancret_context_create(LANCRET_ABI_VERSION, NULL, &context);
+ *     lancret_groom_open(context, &source, &groom, error, sizeof error);
+ *     lancret_groom_get_info(groom, &info);
+ *     for (i = 0; i < info.chunks; ++i) lancret_groom_expand_chunk(groom, i, &options,
+ * sink, user); lancret_groom_close(groom); lancret_context_destroy(context);
  *
  * Rules that hold for every function:
  * - It may be called from any number of threads at once, on the same handles too, except
@@ -41,7 +40,7 @@ extern "C" {
 #endif
 
 /* Raised when an older caller would no longer work. */
-#define LANCRET_ABI_VERSION 1
+#define LANCRET_ABI_VERSION 2
 
 typedef unsigned int lancret_u32; /* 32 bits */
 
@@ -83,10 +82,11 @@ LANCRET_API int lancret_abi_version(void);
 
 /* `abi_version` is LANCRET_ABI_VERSION: another one than the library's is
  * LANCRET_BAD_CALL. `host` may be null, and is copied. */
-LANCRET_API lancret_status lancret_create(int abi_version, const lancret_host* host,
-                                          lancret_context** context);
+LANCRET_API lancret_status lancret_context_create(int abi_version,
+                                                  const lancret_host* host,
+                                                  lancret_context** context);
 /* Grooms and chunks of the context must be closed before. */
-LANCRET_API void lancret_destroy(lancret_context* context);
+LANCRET_API void lancret_context_destroy(lancret_context* context);
 
 /* A value laid over the groom's own: name "strands.count", "guides.file", ... as in its
  * TOML; text where it is a string, else null and number (booleans 0 and 1; a seed beyond
@@ -144,11 +144,11 @@ typedef struct lancret_groom lancret_groom;
  * [dynamics] and [[colliders]] belong to others and are left alone. Grooms of a context
  * with the same source, whose files have not changed, are one in memory; those with
  * strands or a scalp of the host's are not. */
-LANCRET_API lancret_status lancret_open(lancret_context* context,
-                                        const lancret_source* source,
-                                        lancret_groom** groom, char* error,
-                                        size_t error_size);
-LANCRET_API void lancret_close(lancret_groom* groom);
+LANCRET_API lancret_status lancret_groom_open(lancret_context* context,
+                                              const lancret_source* source,
+                                              lancret_groom** groom, char* error,
+                                              size_t error_size);
+LANCRET_API void lancret_groom_close(lancret_groom* groom);
 
 /* How strands are meant to be drawn. */
 enum {
@@ -175,27 +175,27 @@ typedef struct lancret_info {
     int shape;    /* LANCRET_ANY_SHAPE, ... */
     float box[6]; /* of the guides at rest, cm: what to frame; children may leave it */
 } lancret_info;
-LANCRET_API lancret_status lancret_get_info(const lancret_groom* groom,
-                                            lancret_info* info);
+LANCRET_API lancret_status lancret_groom_get_info(const lancret_groom* groom,
+                                                  lancret_info* info);
 
 /* What guides were fitted to, and how well, as JSON: {groom_strands, guides, segments,
  * blend, fit.{rms_over_length_median, _p95, _max}, roots.{snapped, largest_snap_cm}}. */
 typedef void (*lancret_text_sink)(void* user, const char* text);
-LANCRET_API lancret_status lancret_describe(const lancret_groom* groom,
-                                            lancret_text_sink sink, void* user);
+LANCRET_API lancret_status lancret_groom_describe(const lancret_groom* groom,
+                                                  lancret_text_sink sink, void* user);
 
 /* Takes the head at some time, cm; what it points to is gone when it returns. Another
  * status than LANCRET_OK is passed on. */
 typedef lancret_status (*lancret_mesh_sink)(void* user, const lancret_mesh* mesh);
 /* What is seen of the head at a time, handed over once; without a head no vertices. */
-LANCRET_API lancret_status lancret_get_head(const lancret_groom* groom, double time,
-                                            lancret_mesh_sink sink, void* user);
+LANCRET_API lancret_status lancret_groom_get_head(const lancret_groom* groom, double time,
+                                                  lancret_mesh_sink sink, void* user);
 
 /* Whether guides and head are at all of these times just where they are at the first: the
  * strands of one time are those of all. */
-LANCRET_API lancret_status lancret_is_still(const lancret_groom* groom,
-                                            const double* times, size_t time_count,
-                                            int* still);
+LANCRET_API lancret_status lancret_groom_is_still(const lancret_groom* groom,
+                                                  const double* times, size_t time_count,
+                                                  int* still);
 
 /* What a chunk is asked for. Attributes: */
 enum {
@@ -221,7 +221,7 @@ typedef struct lancret_options {
                           * says strands.adapt = false */
     double density; /* share of strands grown, wider, 1e-6 at least; 0: the groom's own */
     double pixels;  /* that the chunk covers, for: */
-    double strands_a_pixel; /* at most so many; 0: no level of detail */
+    double strands_per_pixel; /* at most so many; 0: no level of detail */
     lancret_u32 attributes;
     float unit; /* cm of a unit of what is given back; 0: 1 */
 } lancret_options;
@@ -252,9 +252,10 @@ typedef struct lancret_curves {
  * is nothing. LANCRET_REACH costs next to nothing and is wide; LANCRET_TIGHT synthesises
  * the chunk and forgets it. */
 enum { LANCRET_REACH = 0, LANCRET_TIGHT = 1 };
-LANCRET_API lancret_status lancret_bound(const lancret_groom* groom, lancret_u32 chunk,
-                                         const lancret_options* options, int kind,
-                                         float box[6]);
+LANCRET_API lancret_status lancret_groom_get_chunk_box(const lancret_groom* groom,
+                                                       lancret_u32 chunk,
+                                                       const lancret_options* options,
+                                                       int kind, float box[6]);
 
 /* Takes what a chunk has become. What it points to is gone when it returns; another
  * status than LANCRET_OK ends the expansion with that status. */
@@ -262,9 +263,10 @@ typedef lancret_status (*lancret_sink)(void* user, const lancret_curves* curves)
 
 /* Expands a chunk, hands it to the sink once, on the thread that calls, and forgets it.
  * No strands, where a density leaves none, are handed over too. */
-LANCRET_API lancret_status lancret_expand(const lancret_groom* groom, lancret_u32 chunk,
-                                          const lancret_options* options,
-                                          lancret_sink sink, void* user);
+LANCRET_API lancret_status lancret_groom_expand_chunk(const lancret_groom* groom,
+                                                      lancret_u32 chunk,
+                                                      const lancret_options* options,
+                                                      lancret_sink sink, void* user);
 
 /* The same into the host's own memory, in steps: bind a chunk, ask for its sizes, give
  * buffers, free it; its groom may be closed before. Any number of times, in any order,
@@ -275,8 +277,8 @@ LANCRET_API lancret_status lancret_chunk_open(const lancret_groom* groom,
                                               const lancret_options* options,
                                               lancret_chunk** bound);
 /* Everything of lancret_curves but its pointers, which become null. */
-LANCRET_API lancret_status lancret_chunk_sizes(const lancret_chunk* bound,
-                                               lancret_curves* sizes);
+LANCRET_API lancret_status lancret_chunk_get_sizes(const lancret_chunk* bound,
+                                                   lancret_curves* sizes);
 /* Writes to the memory that `buffers` points to (casting away const); what is null is not
  * written. positions, tangents and normals are aligned to 16 bytes. */
 LANCRET_API lancret_status lancret_chunk_write(const lancret_chunk* bound,
@@ -291,7 +293,7 @@ typedef struct lancret_chunk_info {
     lancret_u32 no_facing_guide, no_guide_in_reach, no_guide_in_sight, no_guide_in_region,
         opposed_root_frames, straight_guides;
 } lancret_chunk_info;
-LANCRET_API lancret_status lancret_get_chunk_info(const lancret_chunk* bound,
+LANCRET_API lancret_status lancret_chunk_get_info(const lancret_chunk* bound,
                                                   lancret_chunk_info* info);
 
 typedef struct lancret_check {
@@ -303,10 +305,10 @@ typedef struct lancret_check {
     double distance;                      /* max, from the curve to the strand, cm */
 } lancret_check;
 /* Looks at every strand of a chunk, at the first of the options' times. */
-LANCRET_API lancret_status lancret_check_chunk(const lancret_groom* groom,
-                                               lancret_u32 chunk,
-                                               const lancret_options* options,
-                                               lancret_check* check);
+LANCRET_API lancret_status lancret_groom_check_chunk(const lancret_groom* groom,
+                                                     lancret_u32 chunk,
+                                                     const lancret_options* options,
+                                                     lancret_check* check);
 
 /* Figures of a chunk's strands at one of its times, by its place among them, strand after
  * strand: of each strand one; or one at each end of its n curve segments, n + 1; or one
@@ -320,8 +322,9 @@ enum {
     LANCRET_TORSION = 3,       /* a segment: 1/cm, right-handed above 0 */
     LANCRET_REGION = 4         /* a strand: its region's number */
 };
-LANCRET_API lancret_status lancret_chunk_figures(const lancret_chunk* bound, int figure,
-                                                 size_t time, float* values);
+LANCRET_API lancret_status lancret_chunk_get_figures(const lancret_chunk* bound,
+                                                     int figure, size_t time,
+                                                     float* values);
 
 /* The guides: `segments` helices each, roots first. Pointers live as long as the groom.
  */
@@ -335,15 +338,15 @@ typedef struct lancret_guides {
     const double* fit_rms;         /* [guides] cm from the strands that they were fitted
                                     * to; null where the file held guides */
 } lancret_guides;
-LANCRET_API lancret_status lancret_get_guides(const lancret_groom* groom,
-                                              lancret_guides* guides);
+LANCRET_API lancret_status lancret_groom_get_guides(const lancret_groom* groom,
+                                                    lancret_guides* guides);
 
 /* Leave-out measurement of the groom's strands, each blend's figures as JSON, in the form
  * of `lancret evaluate --json`. Guides are as many as the groom says, else 5 %. */
-LANCRET_API lancret_status lancret_evaluate(lancret_context* context,
-                                            const lancret_source* source,
-                                            lancret_text_sink sink, void* user,
-                                            char* error, size_t error_size);
+LANCRET_API lancret_status lancret_context_evaluate(lancret_context* context,
+                                                    const lancret_source* source,
+                                                    lancret_text_sink sink, void* user,
+                                                    char* error, size_t error_size);
 
 #ifdef __cplusplus
 }

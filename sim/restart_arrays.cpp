@@ -71,7 +71,7 @@ Vec3 ArrayReader::vector() {
 }
 
 void read(ArrayReader& from, int segments, RodPast& past) {
-    past.size = from.whole(0, RodPast::kMost);
+    past.size = from.whole(0, RodPast::kMax);
     past.eps = from.number();
     check(past.size == 0 || past.eps > 0, "holds a step that cannot be");
     for (RodPose& pose : past.poses) {

@@ -48,7 +48,7 @@ void check(const SimulationSettings& s) {
     check(s.step.tolerance > 0 && s.step.most_iterations >= 1,
           "a step iterates, to a tolerance above 0");
     const ContactSettings& c = s.contact;
-    check(c.stations >= 1 && c.stations <= kMostGaussPoints, "1 to 32 stations");
+    check(c.stations >= 1 && c.stations <= kMaxGaussPoints, "1 to 32 stations");
     check(within(c.stiffness, 1e-15) && within(c.regularization, 1e-15) &&
               within(c.friction, 0) && within(c.thickness, 0) && within(c.free_root, 0),
           "contact is finite, its stiffness and regularisation above 0, the rest not "

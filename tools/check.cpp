@@ -56,53 +56,52 @@ struct KeptFrame {
     Moment moment() const { return {&binding, &profiles, carriers}; }
 };
 
-KeptFrame kept(const Generator& generator, const FrameState& state, double frame) {
+KeptFrame kept(const ReadyGroom& ready, const FrameState& state, double frame) {
     const bool rigid = std::holds_alternative<RigidPose>(state.pose);
-    const Binding& binding = generator.binding;
-    return {frame, binding,
-            guide_profiles<double>(state.guides, generator.profiles.count),
+    const Binding& binding = ready.binding;
+    return {frame, binding, guide_profiles<double>(state.guides, ready.profiles.count),
             carriers(state.pose, binding.roots.places, rigid ? 1 : binding.size())};
 }
 
 FramesReport check_frames(const CheckOptions& options, const Job& job,
-                          const ChosenFrames& chosen, Generator& generator,
+                          const ChosenFrames& chosen, ReadyGroom& ready,
                           FramesCost& cost) {
     CheckTolerances tolerances = options.tolerances;
     tolerances.distance = options.distance.value_or(job.groom.tolerance);
-    const RestPlaces rest = prepare_frames(generator, chosen);
-    const std::vector<Vec3f>& roots = generator.binding.roots.positions;
+    const RestPlaces rest = prepare_frames(ready, chosen);
+    const std::vector<Vec3f>& roots = ready.binding.roots.positions;
     const Chunks chunks =
         make_chunks(roots.size(), [&](std::uint32_t i) { return roots[i]; });
     FramesReport out;
     ProgressBar bar("check");
     std::optional<KeptFrame> before;
     for (const double frame : chosen.frames) {
-        const FrameState state = go_to_frame(generator, rest, chosen, frame);
+        const FrameState state = go_to_frame(ready, rest, chosen, frame);
         Stopwatch watch;
-        cost.curves = expand(generator.binding, state.classed, job.groom.expand);
+        cost.curves = expand(ready.binding, state.classed, job.groom.expand);
         cost.expand += watch.lap();
         CheckReport children =
-            check(generator.binding, state.guides, state.classed, cost.curves,
+            check(ready.binding, state.guides, state.classed, cost.curves,
                   job.groom.expand.blend, job.groom.bind.length_scale, tolerances);
         cost.chunks =
-            worst_of(cost.chunks, check_chunks(generator.binding, state.classed,
-                                               cost.curves, job.groom.expand, chunks));
-        if (generator.classes.size() > 1) {
-            const AdaptedReport now = adapted_report(
-                generator.binding, state.classed,
-                guide_profiles<float>(state.guides, generator.profiles.count),
-                tolerances.distance, job.groom.expand);
+            worst_of(cost.chunks, check_chunks(ready.binding, state.classed, cost.curves,
+                                               job.groom.expand, chunks));
+        if (ready.classes.size() > 1) {
+            const AdaptedReport now =
+                adapted_report(ready.binding, state.classed,
+                               guide_profiles<float>(state.guides, ready.profiles.count),
+                               tolerances.distance, job.groom.expand);
             cost.adapted = {std::max(cost.adapted.farthest, now.farthest),
                             std::max(cost.adapted.beyond, now.beyond)};
         }
         GuideCheck guides =
-            check_guides(state.guides, generator.source.guides, state.scalp_roots);
+            check_guides(state.guides, ready.source.guides, state.scalp_roots);
         // Without a rest pose the guides may be anybody's, and are put on the scalp when
         // they are read.
-        guides.root_is_asked = chosen.info.has_rest;
+        guides.root_applies = chosen.info.has_rest;
         add_frame(out, frame, std::move(children), guides);
         if (chosen.frames.size() > 1) {
-            KeptFrame now = kept(generator, state, frame);
+            KeptFrame now = kept(ready, state, frame);
             if (before) {
                 add_step(out, before->frame, frame,
                          temporal_check(before->moment(), now.moment(),
@@ -121,24 +120,24 @@ int check_groom(const CheckOptions& options) {
     check_output(options.json, {}, options.groom, job.groom);
     check_output(options.groom.stats, {}, options.groom, job.groom, options.json);
     const ChosenFrames chosen = chosen_frames(options.frames, job, true);
-    Generator generator = run_generator(job.groom);
+    ReadyGroom ready = make_ready_groom_with_progress(job.groom);
     FramesCost cost;
-    const FramesReport report = check_frames(options, job, chosen, generator, cost);
+    const FramesReport report = check_frames(options, job, chosen, ready, cost);
     const bool cached = !chosen.cache.empty();
     const bool pass =
         (cached ? report.pass() : report.worst.pass()) && cost.chunks.pass();
     fmt::print("{}, blend {}{}\n{}", job.groom.name, blend_name(job.groom.expand.blend),
                cached ? fmt::format(", frame {}, the worst", report.worst_frame) : "",
                check_table(report.worst));
-    fmt::print("bind: {}\n", bind_line(generator.binding.report));
+    fmt::print("bind: {}\n", bind_line(ready.binding.report));
     fmt::print("{}{}\n", chunks_line(cost.chunks), cost.chunks.pass() ? "" : "\nFAIL");
-    if (generator.classes.size() > 1) {
+    if (ready.classes.size() > 1) {
         fmt::print(
             "points that adapt: {} classes of {} to {} intervals; at most {:.3g} cm from "
             "the strands of {}, {} of {} strands beyond the tolerance\n",
-            generator.classes.size(), generator.classes.counts.front(),
-            generator.classes.counts.back(), cost.adapted.farthest,
-            generator.profiles.count, cost.adapted.beyond, generator.binding.size());
+            ready.classes.size(), ready.classes.counts.front(),
+            ready.classes.counts.back(), cost.adapted.farthest, ready.profiles.count,
+            cost.adapted.beyond, ready.binding.size());
     }
     if (cached) fmt::print("\n{}", frames_table(report));
     if (!options.json.empty()) {
@@ -149,10 +148,10 @@ int check_groom(const CheckOptions& options) {
         json["chunks"] = chunks_json(cost.chunks);
         json["adapt"] = {{"farthest_cm", number_json(cost.adapted.farthest)},
                          {"beyond", cost.adapted.beyond}};
-        json["bind"] = bind_json(generator.binding.report);
+        json["bind"] = bind_json(ready.binding.report);
         write_json(options.json, json);
     }
-    nlohmann::json stats = generator_stats(generator);
+    nlohmann::json stats = ready_groom_stats(ready);
     add_curve_stats(stats, cost.curves, cost.expand);
     stats["seconds"]["check"] = cost.check;
     if (cached) {

@@ -91,7 +91,7 @@ void add_groom_options(CLI::App& command, GroomOptions& options) {
             "--density", options.density,
             "share of the children that are grown, 0 to 1, wider as they are fewer")
         ->type_name("D")
-        ->check(between(kLeastDensity, 1.0));
+        ->check(between(kMinDensity, 1.0));
     command.add_option("--blend", options.blend, "how children are made of guides")
         ->type_name("NAME")
         ->check(CLI::IsMember(blend_names()));
@@ -149,7 +149,7 @@ Job read_job(const GroomOptions& options) {
 
 void check_output(const std::filesystem::path& output,
                   std::initializer_list<std::string_view> extensions,
-                  const GroomOptions& options, const Groom& groom,
+                  const GroomOptions& options, const GroomSettings& groom,
                   const std::filesystem::path& other) {
     if (output.empty()) return;
     if (!other.empty() && std::filesystem::absolute(output).lexically_normal() ==
@@ -204,7 +204,7 @@ CLI::Validator between(double low, double high) {
             fmt::format("{} to {}", low, high)};
 }
 
-void check_points(const Groom& groom, std::uint64_t strands, int intervals,
+void check_points(const GroomSettings& groom, std::uint64_t strands, int intervals,
                   std::uint64_t points) {
     if (points <= std::numeric_limits<std::uint32_t>::max()) return;
     throw InputError(fmt::format(
@@ -213,7 +213,7 @@ void check_points(const Groom& groom, std::uint64_t strands, int intervals,
         groom.name, strands, intervals, points));
 }
 
-void check_points(const Groom& groom) {
+void check_points(const GroomSettings& groom) {
     const std::uint64_t asked = groom.strands.value_or(1);
     const int least = groom.intervals.value_or(1);
     check_points(groom, asked, least,
@@ -225,12 +225,12 @@ std::pair<int, int> parse_size(const std::string& text) {
     const std::size_t by = std::min(all.find('x'), all.size());
     const auto width = whole_number<int>(all.substr(0, by));
     const auto height = whole_number<int>(all.substr(std::min(by + 1, all.size())));
-    constexpr int kMost = 16384;
-    if (!width || !height || *width < 1 || *height < 1 || *width > kMost ||
-        *height > kMost) {
+    constexpr int kMax = 16384;
+    if (!width || !height || *width < 1 || *height < 1 || *width > kMax ||
+        *height > kMax) {
         throw InputError(fmt::format(
             "--size: '{}' is no size; give one such as 1280x720, at most {} a side", text,
-            kMost));
+            kMax));
     }
     return {*width, *height};
 }

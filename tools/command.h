@@ -36,7 +36,7 @@ void add_groom_options(CLI::App& command, GroomOptions& options);
 /// A groom and how to look at it.
 struct Job {
     GroomSource source;  ///< what the groom was read from, options and all
-    Groom groom;
+    GroomSettings groom;
     PreviewSettings preview;
     DynamicsSettings dynamics;
     std::string settings_text;  ///< of the TOML; empty where there is none
@@ -53,7 +53,7 @@ Job read_job(const GroomOptions& options);
 /// InputError.
 void check_output(const std::filesystem::path& output,
                   std::initializer_list<std::string_view> extensions,
-                  const GroomOptions& options, const Groom& groom,
+                  const GroomOptions& options, const GroomSettings& groom,
                   const std::filesystem::path& other = {});
 
 /// For an option whose value must not be empty, as that of an unset shell variable is.
@@ -68,9 +68,9 @@ std::string is_seed(const std::string& text);
 
 /// Throws InputError where strands have more control points than 32 bits can count; the
 /// second before any work, by what the groom asks for.
-void check_points(const Groom& groom, std::uint64_t strands, int intervals,
+void check_points(const GroomSettings& groom, std::uint64_t strands, int intervals,
                   std::uint64_t points);
-void check_points(const Groom& groom);
+void check_points(const GroomSettings& groom);
 
 /// "1280x720"; throws InputError.
 std::pair<int, int> parse_size(const std::string& text);

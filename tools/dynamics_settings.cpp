@@ -135,7 +135,7 @@ DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene) {
 }
 
 SimulationScene simulation_scene(const DynamicsSettings& settings,
-                                 const GroomGuides& source, const SceneUnits& scene,
+                                 const PlacedGuides& source, const SceneUnits& scene,
                                  double frames_per_second) {
     const TriangleMesh* rest = source.scalp ? &source.scalp->mesh : nullptr;
     const auto head = std::make_shared<const ScalpMotion>(

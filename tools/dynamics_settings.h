@@ -33,7 +33,7 @@ DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene);
 
 /// What the guides of a groom move with. Throws InputError.
 SimulationScene simulation_scene(const DynamicsSettings& settings,
-                                 const GroomGuides& source, const SceneUnits& scene,
+                                 const PlacedGuides& source, const SceneUnits& scene,
                                  double frames_per_second);
 
 }  // namespace lancret

@@ -63,7 +63,7 @@ std::optional<CurlSettings> parse_curl(const std::string& text) {
     if (text.empty()) return std::nullopt;
     const std::vector<std::string> parts = split(text);
     double value[3] = {};
-    const double most[3] = {1, kMostCurlTurns, 1};
+    const double most[3] = {1, kMaxCurlTurns, 1};
     bool good = parts.size() == 3;
     for (std::size_t i = 0; good && i < 3; ++i) {
         const char* const end = parts[i].data() + parts[i].size();
@@ -75,13 +75,13 @@ std::optional<CurlSettings> parse_curl(const std::string& text) {
         throw InputError(fmt::format(
             "--curl: '{}' is no curl; give radius over length (0 to 1), turns (0 to {}) "
             "and the turns' relative jitter (0 to 1), such as 0.02,8,0.1",
-            text, kMostCurlTurns));
+            text, kMaxCurlTurns));
     }
     return CurlSettings{value[0], value[1], value[2]};
 }
 
 void write_strip(const EvaluateOptions& options, Job& job, EvaluationSubject& subject,
-                 const LeaveOut& taken, const GuideProfiles<float>& profiles,
+                 const HoldOut& taken, const GuideProfiles<float>& profiles,
                  const std::vector<Blend>& blends) {
     StripView view{.preview = job.preview,
                    .up = job.groom.scene.up.cast<float>(),
@@ -119,7 +119,7 @@ int evaluate_groom(const EvaluateOptions& options) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }
     line.show("take apart");
-    const LeaveOut taken = take_apart(job.groom, subject, options.groom.segments);
+    const HoldOut taken = split_groom(job.groom, subject, options.groom.segments);
     line.clear();
     EvaluationReport report{.groom = job.groom.name,
                             .curl = curl,

@@ -39,10 +39,10 @@ Curves curves_of(const StrandSamples& strands, std::span<const Vec3f> tangents,
 /// The taper, thickened where strands would be so thin at the middle of the box that a
 /// picture of few paths a pixel shows sparkles in their stead.
 Taper visible(const Taper& taper, const Camera& camera, const Vec3f& middle, int height) {
-    constexpr float kLeastRadius = 0.35f;  // pixels
+    constexpr float kMinRadius = 0.35f;  // pixels
     const float pixel =
         2 * camera.tangent * (middle - camera.position).norm() / float(height);
-    const float least = kLeastRadius * pixel;
+    const float least = kMinRadius * pixel;
     if (!(taper.root > 0)) return {least, std::max(least, taper.tip)};
     const float thicker = std::max(1.0f, least / taper.root);
     return {taper.root * thicker, taper.tip * thicker};
@@ -58,7 +58,7 @@ void put(const Image& panel, int x, Image& strip) {
 
 }  // namespace
 
-Image evaluation_strip(const LeaveOut& taken, const GuideProfiles<float>& profiles,
+Image evaluation_strip(const HoldOut& taken, const GuideProfiles<float>& profiles,
                        const std::vector<Blend>& blends, const StripView& view,
                        const std::function<void(double done)>& progress) {
     Eigen::AlignedBox3f box;

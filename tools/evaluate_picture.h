@@ -22,7 +22,7 @@ struct StripView {
 
 /// The truth, then each blend's strands, left to right, each with its name under it.
 /// `progress` gets the share done.
-Image evaluation_strip(const LeaveOut& taken, const GuideProfiles<float>& profiles,
+Image evaluation_strip(const HoldOut& taken, const GuideProfiles<float>& profiles,
                        const std::vector<Blend>& blends, const StripView& view,
                        const std::function<void(double done)>& progress);
 

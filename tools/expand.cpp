@@ -41,7 +41,7 @@ int expand_groom(const ExpandOptions& options) {
             throw InputError("--chunks: keeps no strands to write; leave out -o");
         }
         expand_by_chunks(job, options.frame,
-                         options.chunk_strands.value_or(kStrandsAChunk),
+                         options.chunk_strands.value_or(kStrandsPerChunk),
                          options.groom.stats);
         return kFine;
     }
@@ -50,20 +50,20 @@ int expand_groom(const ExpandOptions& options) {
         job.groom.adapt = false;
     }
     const ChosenFrames chosen = chosen_frames(options.frame, job, false);
-    Generator generator = run_generator(job.groom);
-    const RestPlaces rest = prepare_frames(generator, chosen);
+    ReadyGroom ready = make_ready_groom_with_progress(job.groom);
+    const RestPlaces rest = prepare_frames(ready, chosen);
     const ClassedGuides guides =
-        go_to_frame(generator, rest, chosen, chosen.frames[0]).classed;
+        go_to_frame(ready, rest, chosen, chosen.frames[0]).classed;
     Stopwatch watch;
-    const Curves curves = expand(generator.binding, guides, job.groom.expand);
+    const Curves curves = expand(ready.binding, guides, job.groom.expand);
     const double seconds = watch.lap();
 
     if (extension == ".hair") {
-        write_hair(output, child_strands(generator.binding, guides, job.groom.expand));
+        write_hair(output, child_strands(ready.binding, guides, job.groom.expand));
     } else if (extension == ".txt") {
         write_mitsuba(output, curves.points.span(), curves.points_of(0));
     }
-    nlohmann::json stats = generator_stats(generator);
+    nlohmann::json stats = ready_groom_stats(ready);
     add_curve_stats(stats, curves, seconds);
     const double alike = stats.at("points_alike").get<double>();
     write_stats(options.groom.stats, std::move(stats));

@@ -33,9 +33,9 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
     ChunkedGroom groom =
         make_chunked_groom(job.groom, most, [&](const char* stage) { line.show(stage); });
     line.clear();
-    tell_warnings(groom.generator);
-    const RestPlaces rest = prepare_frames(groom.generator, chosen);
-    const FrameState state = go_to_frame(groom.generator, rest, chosen, chosen.frames[0]);
+    log_warnings(groom.ready);
+    const RestPlaces rest = prepare_frames(groom.ready, chosen);
+    const FrameState state = go_to_frame(groom.ready, rest, chosen, chosen.frames[0]);
     const bool moved = !chosen.cache.empty();
 
     Grown out;
@@ -45,8 +45,7 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
         Stopwatch watch;
         Binding binding = bind_chunk(groom, c);
         if (moved) {
-            pose_binding(binding, rest_places(binding, groom.generator.source),
-                         state.pose);
+            pose_binding(binding, rest_places(binding, groom.ready.source), state.pose);
         }
         out.report += binding.report;
         out.bind += watch.lap();
@@ -67,13 +66,13 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
     }
     fmt::print(stderr, "{}", bind_table(out.report, out.strands, "lancret: "));
 
-    nlohmann::json stats = generator_stats(groom.generator);
+    nlohmann::json stats = ready_groom_stats(groom.ready);
     stats["strands"] = out.strands;
     stats["points"] = out.points;
     add_class_stats(stats, out.classes, job.groom.expand.basis);
     stats["chunks"] = groom.chunks.size();
     stats["bind"] = bind_json(out.report);
-    stats["seconds"]["cut"] = groom.generator.seconds.bind;
+    stats["seconds"]["cut"] = groom.ready.seconds.bind;
     stats["seconds"]["bind"] = out.bind;
     stats["seconds"]["expand"] = out.expand;
     stats["bytes"] = {{"places", groom.places.bytes()},
@@ -84,10 +83,9 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
         "{} strands, {} points in {} chunks; cut {:.2f} s, bind {:.2f}, expand {:.2f}: "
         "{:.1f} million points a second; a chunk {:.1f} MB, all chunks' roots {:.0f} MB, "
         "peak {:.0f} MB\n",
-        out.strands, out.points, groom.chunks.size(), groom.generator.seconds.bind,
-        out.bind, out.expand, double(out.points) / out.expand / 1e6,
-        1e-6 * double(out.largest), 1e-6 * double(groom.bytes()),
-        1e-6 * double(peak_rss()));
+        out.strands, out.points, groom.chunks.size(), groom.ready.seconds.bind, out.bind,
+        out.expand, double(out.points) / out.expand / 1e6, 1e-6 * double(out.largest),
+        1e-6 * double(groom.bytes()), 1e-6 * double(peak_rss()));
 }
 
 }  // namespace lancret

@@ -24,7 +24,7 @@ int fit_groom(const FitOptions& options) {
     const Job job = read_job(options.groom);
     check_output(options.output, {".h5"}, options.groom, job.groom);
     check_output(options.groom.stats, {}, options.groom, job.groom, options.output);
-    const GroomGuides fitted = groom_guides(job.groom);
+    const PlacedGuides fitted = groom_guides(job.groom);
     if (fitted.fits.empty()) {
         throw InputError(fmt::format("{}: holds guides already, there is nothing to fit",
                                      job.groom.name));

@@ -13,18 +13,19 @@
 
 namespace lancret {
 
-void tell_warnings(const Generator& generator) {
-    for (const std::string& warning : generator.source.warnings) {
+void log_warnings(const ReadyGroom& ready) {
+    for (const std::string& warning : ready.source.warnings) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }
-    const std::string roots = roots_line(generator.source);
+    const std::string roots = roots_line(ready.source);
     if (!roots.empty()) fmt::print(stderr, "lancret: warning: {}\n", roots);
 }
 
-Generator run_generator(const Groom& groom) {
+ReadyGroom make_ready_groom_with_progress(const GroomSettings& groom) {
     check_points(groom);
     StageLine line;
-    Generator out = make_generator(groom, [&](const char* stage) { line.show(stage); });
+    ReadyGroom out =
+        make_ready_groom(groom, [&](const char* stage) { line.show(stage); });
     line.clear();
     std::uint64_t points = 0;
     const std::vector<std::uint32_t> sizes = class_sizes(out.classes, out.binding);
@@ -34,19 +35,19 @@ Generator run_generator(const Groom& groom) {
             control_points_of(groom.expand.basis, std::uint32_t(out.classes.counts[c]));
     }
     check_points(groom, out.binding.size(), out.profiles.count, points);
-    tell_warnings(out);
+    log_warnings(out);
     fmt::print(stderr, "{}",
                bind_table(out.binding.report, out.binding.size(), "lancret: "));
     return out;
 }
 
-nlohmann::json fit_stats(const GroomGuides& source) {
+nlohmann::json fit_stats(const PlacedGuides& source) {
     nlohmann::json stats = fit_json(source);
     stats["seconds"] = {{"load", source.seconds.load}, {"fit", source.seconds.fit}};
     return stats;
 }
 
-nlohmann::json generator_stats(const Generator& g) {
+nlohmann::json ready_groom_stats(const ReadyGroom& g) {
     nlohmann::json stats = fit_stats(g.source);
     stats["strands"] = g.binding.size();
     stats["intervals"] = g.profiles.count;

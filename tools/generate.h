@@ -7,18 +7,18 @@
 
 namespace lancret {
 
-/// make_generator with its stages on a terminal and its warnings on stderr. Throws
+/// make_ready_groom with its stages on a terminal and its warnings on stderr. Throws
 /// InputError.
-Generator run_generator(const Groom& groom);
+ReadyGroom make_ready_groom_with_progress(const GroomSettings& groom);
 
 /// What is worth telling of a groom's guides, on stderr.
-void tell_warnings(const Generator& generator);
+void log_warnings(const ReadyGroom& ready);
 
 /// {groom_strands, guides, segments, seconds.{load, fit}, fit.{...}, roots.{...}}.
-nlohmann::json fit_stats(const GroomGuides& source);
+nlohmann::json fit_stats(const PlacedGuides& source);
 
 /// fit_stats and {strands, intervals, blend, seconds.bind, bytes.{binding,
 /// binding_per_strand}, bind.{...}: bind_json}. Commands add their own seconds and bytes.
-nlohmann::json generator_stats(const Generator& generator);
+nlohmann::json ready_groom_stats(const ReadyGroom& ready);
 
 }  // namespace lancret

@@ -113,7 +113,7 @@ nlohmann::json info_groom(const std::filesystem::path& file) {
     GroomOptions options;
     options.input = file;
     const Job job = read_job(options);
-    const Groom& g = job.groom;
+    const GroomSettings& g = job.groom;
     fmt::print("{}\nstrands from {}; {} segments a guide\n", file.string(),
                g.strands_file.empty() ? "Lancret itself" : g.strands_file.string(),
                g.fit.segments);

@@ -56,7 +56,7 @@ class Fingerprint {
 
 /// What decides the frames of a run, as a text.
 std::string job_text(const SimulateOptions& options, const Job& job,
-                     const GroomGuides& source, int first) {
+                     const PlacedGuides& source, int first) {
     Fingerprint print;
     const Guides& guides = source.guides;
     print.add(std::span<const double>(guides.segment_lengths));
@@ -100,7 +100,7 @@ int simulate_groom(const SimulateOptions& options) {
     if (options.substeps) job.dynamics.simulation.substeps = *options.substeps;
 
     StageLine line;
-    const GroomGuides source =
+    const PlacedGuides source =
         groom_guides(job.groom, [&](const char* stage) { line.show(stage); });
     line.clear();
     for (const std::string& warning : source.warnings) {

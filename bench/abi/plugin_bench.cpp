@@ -77,35 +77,35 @@ void straight(benchmark::State& run, const MovingCache* moving) {
     }
     const SourcedGroom sourced = read_groom_source(source);
     ChunkedGroom groom = make_chunked_groom(sourced.groom);
-    Generator& generator = groom.generator;
+    ReadyGroom& ready = groom.ready;
     const GroomTimes times =
         groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom));
     std::vector<ClassedGuides> guides;
     std::vector<PosedScalp> scalps;
     if (moving) {
         Binding none;
-        none.guide_normals = generator.source.normals;
-        const RestPlaces rest = rest_places(none, generator.source);
-        prepare_frames(generator, times);
+        none.guide_normals = ready.source.normals;
+        const RestPlaces rest = rest_places(none, ready.source);
+        prepare_frames(ready, times);
         for (const double time : kTimes[1]) {
             scalps.push_back(posed_scalp(rest, times.pose_at(time)));
             pose_binding_on(none, rest, scalps.back());
-            guides.push_back(classed_guides(
-                guides_at(times, generator.source.places, time), generator.classes,
-                none.guide_normals, generator.groom.expand.blend));
+            guides.push_back(classed_guides(guides_at(times, ready.source.places, time),
+                                            ready.classes, none.guide_normals,
+                                            ready.groom.expand.blend));
         }
     } else {
-        guides.push_back(rest_guides(generator));
+        guides.push_back(rest_guides(ready));
     }
     std::vector<Curves> curves(guides.size());
     for (auto _ : run) {
         for (std::size_t c = 0; c < groom.chunks.size(); ++c) {
-            Binding binding = bind_chunk(groom, c, 1, generator.classes);
+            Binding binding = bind_chunk(groom, c, 1, ready.classes);
             const RestPlaces rest =
-                moving ? rest_places(binding, generator.source) : RestPlaces();
+                moving ? rest_places(binding, ready.source) : RestPlaces();
             for (std::size_t t = 0; t < guides.size(); ++t) {
                 if (moving) pose_binding_on(binding, rest, scalps[t]);
-                expand(binding, guides[t], generator.groom.expand, curves[t]);
+                expand(binding, guides[t], ready.groom.expand, curves[t]);
                 benchmark::DoNotOptimize(curves[t].points.data());
             }
         }
@@ -130,9 +130,9 @@ void through_plugin(benchmark::State& run, const MovingCache* moving) {
     }
     lancret_info info{};
     info.size = sizeof info;
-    if (lancret_create(LANCRET_ABI_VERSION, nullptr, &context) != LANCRET_OK ||
-        lancret_open(context, &source, &groom, nullptr, 0) != LANCRET_OK ||
-        lancret_get_info(groom, &info) != LANCRET_OK) {
+    if (lancret_context_create(LANCRET_ABI_VERSION, nullptr, &context) != LANCRET_OK ||
+        lancret_groom_open(context, &source, &groom, nullptr, 0) != LANCRET_OK ||
+        lancret_groom_get_info(groom, &info) != LANCRET_OK) {
         run.SkipWithError("cannot open the groom");
         return;
     }
@@ -143,13 +143,14 @@ void through_plugin(benchmark::State& run, const MovingCache* moving) {
     options.time_count = kTimes[moving != nullptr].size();
     for (auto _ : run) {
         for (lancret_u32 c = 0; c < info.chunks; ++c) {
-            if (lancret_expand(groom, c, &options, ignore, nullptr) != LANCRET_OK) {
+            if (lancret_groom_expand_chunk(groom, c, &options, ignore, nullptr) !=
+                LANCRET_OK) {
                 run.SkipWithError("cannot expand a chunk");
             }
         }
     }
-    lancret_close(groom);
-    lancret_destroy(context);
+    lancret_groom_close(groom);
+    lancret_context_destroy(context);
 }
 
 void plugin_cost(benchmark::State& run) {

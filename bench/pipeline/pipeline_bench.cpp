@@ -67,11 +67,11 @@ nlohmann::json picture_stats(const Options& options, std::uint32_t strands) {
 /// s that Embree alone takes for the BVH of the same strands.
 double embree_seconds(const Options& options, std::uint32_t strands) {
     const TomlTable toml = TomlTable::from_file(options.groom);
-    Groom groom = read_groom(toml, options.groom);
+    GroomSettings groom = read_groom(toml, options.groom);
     groom.strands = strands;
-    Generator generator = make_generator(groom);
-    const Curves curves = expand(generator.binding, rest_guides(generator), groom.expand);
-    generator.binding = {};
+    ReadyGroom ready = make_ready_groom(groom);
+    const Curves curves = expand(ready.binding, rest_guides(ready), groom.expand);
+    ready.binding = {};
     TriangleMesh nothing;
     nothing.positions = {Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)};
     nothing.triangles = {{0, 1, 2}};

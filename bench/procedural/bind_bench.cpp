@@ -24,7 +24,7 @@ void place_roots(benchmark::State& run) {
 }
 
 void bind_children(benchmark::State& run) {
-    const GroomGuides& guides = bench::made_guides();
+    const PlacedGuides& guides = bench::made_guides();
     const Roots roots = bench::made_roots(std::uint32_t(run.range(0)));
     std::size_t bytes = 0;
     bench::on_threads(int(run.range(1)), [&] {

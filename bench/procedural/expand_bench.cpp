@@ -56,7 +56,7 @@ void expand_made(benchmark::State& run, Way way) {
     const double seconds = watch.lap();
     const double runs = double(run.iterations());
     using benchmark::Counter;
-    run.counters["points_a_strand"] = double(points) / double(children);
+    run.counters["points_per_strand"] = double(points) / double(children);
     run.counters["Mpoints/s"] = Counter(runs * double(points) / 1e6, Counter::kIsRate);
     run.counters["bytes/s"] =
         Counter(runs * double(bytes), Counter::kIsRate, Counter::kIs1000);

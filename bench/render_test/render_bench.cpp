@@ -40,7 +40,7 @@ void build_scene(benchmark::State& run) {
     const double segments = double(made.curves.segments.size());
     run.counters["bvh_seconds"] =
         benchmark::Counter(seconds, benchmark::Counter::kAvgIterations);
-    run.counters["bvh_bytes_a_segment"] = double(bytes) / segments;
+    run.counters["bvh_bytes_per_segment"] = double(bytes) / segments;
     run.counters["segments"] = segments;
 }
 BENCHMARK(build_scene)

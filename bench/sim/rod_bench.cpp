@@ -57,7 +57,7 @@ struct LinearStep {
 void linear(benchmark::State& state, LinearSolver solver) {
     LinearStep step(int(state.range(0)));
     for (auto _ : state) step.run(solver);
-    state.counters["us_a_segment"] = benchmark::Counter(
+    state.counters["us_per_segment"] = benchmark::Counter(
         double(state.range(0)) / 1e6,
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }

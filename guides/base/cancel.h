@@ -41,7 +41,7 @@ auto cancellable_reduce(Arguments&&... arguments) {
 /// Work that is done to its end whether or not what it is for is cancelled: that of a
 /// library which does not expect to be cut short. Then throws Cancelled.
 template <class Work>
-void uncut(const Work& work) {
+void run_to_completion(const Work& work) {
     tbb::task_group_context own(tbb::task_group_context::isolated);
     tbb::task_group(own).run_and_wait(work);
     stop_if_cancelled();

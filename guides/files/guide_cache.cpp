@@ -14,7 +14,7 @@ using namespace hdf5;
 
 namespace {
 
-constexpr int kMostFrame = std::numeric_limits<int>::max();
+constexpr int kMaxFrame = std::numeric_limits<int>::max();
 
 GuideCacheInfo read_info(const Reader& reader) {
     const std::string format = reader.text("format");
@@ -47,7 +47,7 @@ GuideCacheInfo read_info(const Reader& reader) {
     std::vector<hsize_t> shape{kAny, kAny, kAny, 3};
     reader.dataset(kCurvatures, shape);
     info.frames = int(shape[0]);
-    if (std::int64_t(info.first_frame) + info.frames > std::int64_t(kMostFrame) + 1) {
+    if (std::int64_t(info.first_frame) + info.frames > std::int64_t(kMaxFrame) + 1) {
         fail(reader.path, fmt::format("attribute 'first_frame' is {}, too large for {} "
                                       "frames to have numbers",
                                       info.first_frame, info.frames));

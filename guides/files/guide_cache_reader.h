@@ -18,7 +18,7 @@ namespace lancret::hdf5 {
 inline constexpr hsize_t kAny = 0;  ///< a size that is not known beforehand
 inline constexpr hsize_t kAnyOrNone = ~hsize_t(0);
 /// The most that deflate, HDF5's compression, can make of a byte.
-inline constexpr double kMostCompression = 1032;
+inline constexpr double kMaxCompression = 1032;
 
 /// Reads what is in a file, or in a group of it.
 struct Reader {
@@ -105,7 +105,7 @@ struct Reader {
         }
         // A shape costs nothing to claim: it must have its bytes before memory is asked
         // for.
-        if (double(H5Dget_storage_size(data)) * kMostCompression < bytes) {
+        if (double(H5Dget_storage_size(data)) * kMaxCompression < bytes) {
             fail(path, fmt::format("dataset '{}' is shorter than its shape", name));
         }
         shape = found;

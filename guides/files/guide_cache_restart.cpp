@@ -10,7 +10,7 @@ using namespace hdf5;
 namespace {
 
 /// A name costs a file a few bytes, but us a dataset.
-constexpr hsize_t kMostArrays = 1000;
+constexpr hsize_t kMaxArrays = 1000;
 
 std::string name_of_link(const Reader& reader, hsize_t index) {
     const auto ask = [&](char* to, std::size_t size) {
@@ -38,9 +38,9 @@ Restart read_restart(const std::filesystem::path& path) {
     if (!group.good() || H5Gget_info(group, &info) < 0) {
         fail(path, fmt::format("'{}' is not a group, or a broken one", kRestart));
     }
-    if (info.nlinks > kMostArrays) {
+    if (info.nlinks > kMaxArrays) {
         fail(path, fmt::format("group '{}' holds {} arrays, expected at most {}",
-                               kRestart, info.nlinks, kMostArrays));
+                               kRestart, info.nlinks, kMaxArrays));
     }
     const Reader reader{path, group};
     Restart out;

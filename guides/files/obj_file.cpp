@@ -22,7 +22,7 @@ namespace lancret {
 
 namespace {
 
-constexpr int kMostCorners = 1000;
+constexpr int kMaxCorners = 1000;
 
 /// What the library would let through or change silently: it reads a number that is none
 /// as 0, and does not hold every index against what there is. So each line is checked
@@ -120,8 +120,8 @@ class ObjChecker {
     void check_face() {
         int corners = 0;
         for (std::string_view word = token(); !word.empty(); word = token()) {
-            if (++corners > kMostCorners) {
-                fail(fmt::format("a face of more than {} corners", kMostCorners));
+            if (++corners > kMaxCorners) {
+                fail(fmt::format("a face of more than {} corners", kMaxCorners));
             }
             const char* end = word.data() + word.size();
             const char* at =

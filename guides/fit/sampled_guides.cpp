@@ -10,10 +10,10 @@ namespace lancret {
 namespace {
 
 /// Radians that a segment may twist.
-constexpr double kMostTwist = 1;
+constexpr double kMaxTwist = 1;
 
 /// Radians that a segment must bend for its twist to be told from the chord.
-constexpr double kLeastBend = 0.02;
+constexpr double kMinBend = 0.02;
 
 /// The Darboux vector of the helix of length `ds` whose end has the tangent of `turn`, in
 /// the frame at its start, and which twists about it as brings its end nearest to `chord`
@@ -34,9 +34,9 @@ Vec3 twisted(const Mat3& turn, const Vec3& chord, double ds) {
                             helix_step<double>(helix(twist - kDelta), ds).displacement) /
                            (2 * kDelta);
         // Twist moves the end by a twelfth of bend times length, off the plane.
-        const double least = kLeastBend * ds / 12;
+        const double least = kMinBend * ds / 12;
         twist += slope.dot(off) / (slope.squaredNorm() + least * least);
-        twist = std::clamp(twist, -kMostTwist, kMostTwist);
+        twist = std::clamp(twist, -kMaxTwist, kMaxTwist);
     }
     return helix(twist);
 }
@@ -70,8 +70,8 @@ FittedGuide read_super_helix(const SampledCurve& target, const Vec3& surface_tan
     return out;
 }
 
-FittedGuides read_guides(const Strands& strands, std::span<const std::uint32_t> which,
-                         std::span<const Vec3> surface_tangents, int segments) {
+FittedGuides sample_guides(const Strands& strands, std::span<const std::uint32_t> which,
+                           std::span<const Vec3> surface_tangents, int segments) {
     return guides_of_strands(strands, which, surface_tangents, segments, segments,
                              read_super_helix);
 }

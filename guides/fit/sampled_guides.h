@@ -17,7 +17,7 @@ FittedGuide read_super_helix(const SampledCurve& target, const Vec3& surface_tan
 
 /// fit_guides by read_super_helix: linear in time, and the same for any number of
 /// threads.
-FittedGuides read_guides(const Strands& strands, std::span<const std::uint32_t> which,
-                         std::span<const Vec3> surface_tangents, int segments);
+FittedGuides sample_guides(const Strands& strands, std::span<const std::uint32_t> which,
+                           std::span<const Vec3> surface_tangents, int segments);
 
 }  // namespace lancret

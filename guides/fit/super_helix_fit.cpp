@@ -25,7 +25,7 @@ constexpr Stage kStages[] = {
     {0.3, 1e-5, 10}, {0.6, 1e-5, 10}, {1, 1e-5, 15}, {1, 1e-7, 40}};
 
 /// The most that one segment may turn, radians: beyond half a turn, segments are too few.
-constexpr double kMostTurn = 3.2;
+constexpr double kMaxTurn = 3.2;
 
 /// RMS distance over length below which a fit needs no second start.
 constexpr double kGoodFit = 2e-3;
@@ -112,7 +112,7 @@ class Problem {
     Eigen::VectorXd kept_in_range(Eigen::VectorXd x) const {
         for (std::size_t q = 0; q < lengths_.size(); ++q) {
             const double turn = x.segment<3>(3 * q).norm();
-            if (turn > kMostTurn) x.segment<3>(3 * q) *= kMostTurn / turn;
+            if (turn > kMaxTurn) x.segment<3>(3 * q) *= kMaxTurn / turn;
         }
         return x;
     }

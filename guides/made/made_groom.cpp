@@ -266,16 +266,16 @@ void check_made(const MadeGroomSettings& s) {
     const auto require = [](bool holds, const char* what) {
         if (!holds) throw std::invalid_argument(std::string("make_groom: ") + what);
     };
-    constexpr double kMost = 1e4;  // also false for a NaN
+    constexpr double kMax = 1e4;  // also false for a NaN
     require(s.strands > 0 && s.points >= 4 &&
                 double(s.strands) * s.points <= std::numeric_limits<std::uint32_t>::max(),
             "expected one strand or more, of four points or more");
-    require(s.shortest > 0 && s.longest >= s.shortest && s.longest <= kMost,
+    require(s.shortest > 0 && s.longest >= s.shortest && s.longest <= kMax,
             "expected 0 < shortest <= longest");
-    require(s.curl_radius >= 0 && s.curl_radius <= kMost && s.curl_wavelength >= 0 &&
-                s.curl_wavelength <= kMost && s.frizz >= 0 && s.frizz <= kMost,
+    require(s.curl_radius >= 0 && s.curl_radius <= kMax && s.curl_wavelength >= 0 &&
+                s.curl_wavelength <= kMax && s.frizz >= 0 && s.frizz <= kMax,
             "expected a curl radius, curl wavelength and frizz of 0 or more");
-    require(s.phase_spread >= 0 && s.phase_spread <= kMost && s.length_spread >= 0 &&
+    require(s.phase_spread >= 0 && s.phase_spread <= kMax && s.length_spread >= 0 &&
                 s.length_spread < 1,
             "expected a phase spread of 0 or more and a length spread within [0, 1)");
 }

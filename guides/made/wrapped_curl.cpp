@@ -24,10 +24,10 @@ constexpr double kGrowth = 0.2;
 /// Points of one turn: a spline through them is off a circle by (2 pi / 24)^4 / 384 =
 /// 1.2e-5 of its radius.
 constexpr double kPointsPerTurn = 24;
-constexpr int kLeastPoints = 64;
+constexpr int kMinPoints = 64;
 
 /// Turns differ from strand to strand by so many standard deviations at most.
-constexpr double kMostDeviations = 3;
+constexpr double kMaxDeviations = 3;
 
 /// What is drawn for a strand.
 struct DrawnCurl {
@@ -42,7 +42,7 @@ DrawnCurl drawn_curl(const CurlSettings& curl, std::uint64_t seed, std::size_t s
     // Box and Muller's normal number.
     const double normal =
         std::sqrt(-2 * std::log(1 - draw(0))) * std::cos(kTwoPi * draw(1));
-    const double within = std::clamp(normal, -kMostDeviations, kMostDeviations);
+    const double within = std::clamp(normal, -kMaxDeviations, kMaxDeviations);
     return {std::max(0.0, curl.turns * (1 + curl.jitter * within)), kTwoPi * draw(2)};
 }
 
@@ -53,12 +53,12 @@ Strands wrapped_in_curls(const Strands& strands, const CurlSettings& curl,
     const auto within = [](double value, double most) {
         return value >= 0 && value <= most;
     };
-    if (!within(curl.radius, 1) || !within(curl.turns, kMostCurlTurns) ||
+    if (!within(curl.radius, 1) || !within(curl.turns, kMaxCurlTurns) ||
         !within(curl.jitter, 1)) {
         throw std::invalid_argument("wrapped_in_curls: a setting is out of its range");
     }
-    const double most_turns = curl.turns * (1 + kMostDeviations * curl.jitter);
-    const int n = std::max(kLeastPoints, int(std::ceil(kPointsPerTurn * most_turns)));
+    const double most_turns = curl.turns * (1 + kMaxDeviations * curl.jitter);
+    const int n = std::max(kMinPoints, int(std::ceil(kPointsPerTurn * most_turns)));
     std::vector<std::vector<Vec3f>> wound(strands.size());
     cancellable_for(std::size_t(0), strands.size(), [&](std::size_t i) {
         const auto curve = strand_curve(strands, i);

@@ -9,11 +9,11 @@ namespace lancret {
 
 struct CurlSettings {
     double radius = 0.02;  ///< over the strand's length, 0 to 1
-    double turns = 8;      ///< from root to tip, 0 to kMostCurlTurns
+    double turns = 8;      ///< from root to tip, 0 to kMaxCurlTurns
     double jitter = 0;     ///< of the turns from strand to strand, relative, 0 to 1:
                            ///< the standard deviation
 };
-constexpr double kMostCurlTurns = 100;
+constexpr double kMaxCurlTurns = 100;
 
 /// Winds each strand round itself as a helix about its own curve. The curl grows in over
 /// the first fifth, so that roots stay where they are. Phase (even) and turns (normal,

@@ -144,7 +144,7 @@ ClosestPoint::ClosestPoint(const TriangleMesh& mesh) : tree_(std::make_unique<Tr
     rtcAttachGeometry(tree_->scene, geometry);
     rtcReleaseGeometry(geometry);
     // Of a tree that was not finished Embree reads what is not there.
-    uncut([&] { rtcCommitScene(tree_->scene); });
+    run_to_completion([&] { rtcCommitScene(tree_->scene); });
     if (rtcGetDeviceError(tree_->device) != RTC_ERROR_NONE) {
         throw std::runtime_error("ClosestPoint: Embree cannot build its tree");
     }

@@ -18,10 +18,10 @@ namespace {
 /// g^-1 and g^-2 times 2^64, odd so that the period is 2^64.
 constexpr std::array<std::uint64_t, 2> kSteps{0xc13fa9a902a6328fu, 0x91e10da5c79e7b1du};
 
-constexpr std::size_t kChunk = 4096;           ///< candidates in a task
-constexpr std::size_t kChunksAtOnce = 16;      ///< in a round, so that little is wasted
-constexpr std::size_t kTrials = 1 << 17;       ///< candidates before a filter is judged
-constexpr std::size_t kMostTriesARoot = 1000;  ///< on average, after those
+constexpr std::size_t kChunk = 4096;            ///< candidates in a task
+constexpr std::size_t kChunksAtOnce = 16;       ///< in a round, so that little is wasted
+constexpr std::size_t kTrials = 1 << 17;        ///< candidates before a filter is judged
+constexpr std::size_t kMaxTriesPerRoot = 1000;  ///< on average, after those
 
 /// The lowest 21 bits of x, each followed by two zeros.
 std::uint64_t spread_bits(std::uint64_t x) {
@@ -107,12 +107,12 @@ std::vector<MeshPoint> filtered_roots(const Scalp& scalp, const Candidates& cand
     roots.reserve(count);
     std::vector<std::vector<MeshPoint>> chunks(kChunksAtOnce);
     for (std::uint64_t next = 0; roots.size() < count; next += kChunksAtOnce * kChunk) {
-        if (next >= kTrials && next / kMostTriesARoot > roots.size()) {
+        if (next >= kTrials && next / kMaxTriesPerRoot > roots.size()) {
             throw InputError(
                 fmt::format("roots on the scalp: only {} of {} places tried may have "
                             "hair, expected at "
                             "least one in {}; is the region or density map empty?",
-                            roots.size(), next, kMostTriesARoot));
+                            roots.size(), next, kMaxTriesPerRoot));
         }
         cancellable_for(std::size_t(0), kChunksAtOnce, [&](std::size_t c) {
             chunks[c].clear();

@@ -18,8 +18,8 @@ namespace lancret {
 namespace {
 
 /// A time needs four files, the next step's mostly the same.
-constexpr std::size_t kMostInMemory = 6;
-constexpr int kMostDigits = 12;
+constexpr std::size_t kMaxInMemory = 6;
+constexpr int kMaxDigits = 12;
 
 /// The place of a frame in a pattern.
 struct FrameField {
@@ -33,14 +33,14 @@ FrameField next_field(std::string_view pattern, std::size_t from) {
         if (pattern[i] == '#') {
             const std::size_t end =
                 std::min(pattern.find_first_not_of('#', i), pattern.size());
-            return {i, end, int(std::min<std::size_t>(end - i, kMostDigits + 1))};
+            return {i, end, int(std::min<std::size_t>(end - i, kMaxDigits + 1))};
         }
         if (pattern[i] != '%') continue;
         std::size_t end = i + 1;
         int digits = 0;
         for (; end < pattern.size() && pattern[end] >= '0' && pattern[end] <= '9';
              ++end) {
-            digits = std::min(10 * digits + (pattern[end] - '0'), kMostDigits + 1);
+            digits = std::min(10 * digits + (pattern[end] - '0'), kMaxDigits + 1);
         }
         if (end < pattern.size() && pattern[end] == 'd') return {i, end + 1, digits};
     }
@@ -71,12 +71,12 @@ std::filesystem::path frame_path(std::string_view pattern, int frame) {
     // Folders may be called what they like.
     const std::size_t name = pattern.find_last_of('/') + 1;
     const FrameField field = next_field(pattern, name);
-    if (field.begin == pattern.npos || field.digits > kMostDigits ||
+    if (field.begin == pattern.npos || field.digits > kMaxDigits ||
         next_field(pattern, field.end).begin != pattern.npos) {
         throw InputError(fmt::format(
             "{}: expected one place for the frame's number, such as %04d or ####, of at "
             "most {} digits",
-            pattern, kMostDigits));
+            pattern, kMaxDigits));
     }
     return fmt::format("{}{:0{}}{}", pattern.substr(0, field.begin), frame, field.digits,
                        pattern.substr(field.end));
@@ -122,7 +122,7 @@ std::shared_ptr<const TriangleMesh> MeshSequence::State::mesh_at(int frame) {
                                          path.string(), kLargestCoordinate));
         }
     }
-    if (in_memory.size() >= kMostInMemory) in_memory.erase(in_memory.begin());
+    if (in_memory.size() >= kMaxInMemory) in_memory.erase(in_memory.begin());
     in_memory.emplace_back(frame, mesh);
     return mesh;
 }

@@ -14,7 +14,7 @@ namespace lancret {
 namespace {
 
 /// So large and so close may numbers and keys be: no derivative overflows then.
-constexpr double kLargest = kLargestCoordinate, kLeastStep = 1e-6;
+constexpr double kLargest = kLargestCoordinate, kMinStep = 1e-6;
 
 void check_size(const Vec3& x) {
     // Written so that a NaN fails.
@@ -47,7 +47,7 @@ RigidPath make_rigid_path(std::vector<PoseKey> keys, const Vec3& pivot,
         check_size(Vec3::Constant(key.frame));
         check_size(key.translation);
         check_size(key.rotation);
-        if (i > 0 && !(key.frame - keys[i - 1].frame >= kLeastStep)) {
+        if (i > 0 && !(key.frame - keys[i - 1].frame >= kMinStep)) {
             throw std::invalid_argument(
                 "make_rigid_path: frames increase from key to key");
         }

@@ -16,7 +16,7 @@ bool was_laid_over(const toml::node& value) { return value.source().begin.line =
 
 }  // namespace
 
-bool TomlTable::is_laid_over(std::string_view key) const {
+bool TomlTable::is_overridden(std::string_view key) const {
     return has(key) && was_laid_over(*node_->table->get(key));
 }
 
@@ -43,10 +43,10 @@ void TomlTable::lay_value_over(std::string_view name, const T& value) {
         throw InputError(
             fmt::format("{}: parameter '{}': {}", node_->document->name, name, what));
     };
-    if (std::ranges::count(name, '.') > kMostTomlDots) {
+    if (std::ranges::count(name, '.') > kMaxTomlDots) {
         name = name.substr(0, 40);
-        refuse(fmt::format("goes on with too many dots, expected at most {}",
-                           kMostTomlDots));
+        refuse(
+            fmt::format("goes on with too many dots, expected at most {}", kMaxTomlDots));
     }
     toml::table* table = &node_->document->root;
     std::string_view rest = name;
@@ -65,11 +65,11 @@ void TomlTable::lay_value_over(std::string_view name, const T& value) {
     table->insert(rest, value);
 }
 
-void TomlTable::lay_over(std::string_view name, std::string_view text) {
+void TomlTable::set_override(std::string_view name, std::string_view text) {
     lay_value_over(name, std::string(text));
 }
 
-void TomlTable::lay_over(std::string_view name, double number) {
+void TomlTable::set_override(std::string_view name, double number) {
     constexpr double kExact = 9007199254740992;  // 2^53
     if (number == std::floor(number) && std::abs(number) <= kExact) {
         lay_value_over(name, std::int64_t(number));

@@ -29,8 +29,8 @@ class TomlTable {
     /// "strands.count", of this table. Numbers also serve as booleans, 0 and 1, texts as
     /// seeds. To be done before anything is read. Throws InputError where the name is
     /// none.
-    void lay_over(std::string_view name, std::string_view text);
-    void lay_over(std::string_view name, double number);
+    void set_override(std::string_view name, std::string_view text);
+    void set_override(std::string_view name, double number);
     /// Leaves the table or list under `key` to somebody else.
     void leave(std::string_view key) const;
 
@@ -42,7 +42,7 @@ class TomlTable {
     std::vector<TomlTable> tables(std::string_view key) const;
     bool has(std::string_view key) const;
     /// Whether the value under `key` was laid over what the file says.
-    bool is_laid_over(std::string_view key) const;
+    bool is_overridden(std::string_view key) const;
 
     /// The value under `key`, nothing where there is none. An error where it is of
     /// another type or outside [low, high].

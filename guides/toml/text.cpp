@@ -69,12 +69,12 @@ void check_toml_depth(std::string_view text, const std::string& name) {
             at = std::min(text.find('\n', at), text.size());
             continue;
         }
-        if (letter == '.' && ++dots > kMostTomlDots) {
-            refuse(at, "a name has too many dots", kMostTomlDots);
+        if (letter == '.' && ++dots > kMaxTomlDots) {
+            refuse(at, "a name has too many dots", kMaxTomlDots);
         }
         if (letter == '[' || letter == '{') {
-            if (++brackets > kMostTomlBrackets) {
-                refuse(at, "values are nested too deeply", kMostTomlBrackets);
+            if (++brackets > kMaxTomlBrackets) {
+                refuse(at, "values are nested too deeply", kMaxTomlBrackets);
             }
         }
         if ((letter == ']' || letter == '}') && brackets > 0) --brackets;

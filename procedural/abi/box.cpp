@@ -11,12 +11,12 @@ namespace lancret::abi {
 namespace {
 
 /// By the roots alone, wherever the scalp carries them.
-ChunkBound reach_of(const Prepared& groom, std::uint32_t chunk, const Request& request) {
-    const Generator& generator = groom.generator();
-    BoundChunk roots{request, {}, {}};
-    roots.binding.roots = child_roots(generator.source, groom.groom().places,
-                                      groom.groom().chunks.of(chunk));
-    roots.binding.guide_normals = generator.source.normals;
+ChunkBox reach_of(const OpenGroom& groom, std::uint32_t chunk, const Request& request) {
+    const ReadyGroom& ready = groom.ready();
+    ChunkBinding roots{request, {}, {}};
+    roots.binding.roots =
+        child_roots(ready.source, groom.groom().places, groom.groom().chunks.of(chunk));
+    roots.binding.guide_normals = ready.source.normals;
     Eigen::AlignedBox3f box;
     PosedBinding posed(groom, roots);
     for (const double frame : request.frames) {
@@ -25,19 +25,19 @@ ChunkBound reach_of(const Prepared& groom, std::uint32_t chunk, const Request& r
         if (request.is_still()) break;
     }
     const float longest =
-        std::ranges::max(generator.profiles.lengths) * generator.groom.bind.length_scale;
-    return reach_bound(box, longest, request.classes->counts.back(),
-                       settings_of(groom, request), request.density);
+        std::ranges::max(ready.profiles.lengths) * ready.groom.bind.length_scale;
+    return reach_box(box, longest, request.classes->counts.back(),
+                     settings_of(groom, request), request.density);
 }
 
-ChunkBound tight_bound(const Prepared& groom, const BoundChunk& bound) {
+ChunkBox tight_bound(const OpenGroom& groom, const ChunkBinding& bound) {
     const Request& request = bound.request;
     const ExpandSettings settings = settings_of(groom, request);
-    ChunkBound out;
+    ChunkBox out;
     PosedBinding posed(groom, bound);
     for (const double frame : request.frames) {
         const auto pose = groom.pose(frame, request.classes);
-        out.extend(chunk_bound(posed.at(*pose), pose->classed, settings));
+        out.extend(chunk_box(posed.at(*pose), pose->classed, settings));
         if (request.is_still()) break;
     }
     return out;
@@ -45,12 +45,12 @@ ChunkBound tight_bound(const Prepared& groom, const BoundChunk& bound) {
 
 }  // namespace
 
-Eigen::AlignedBox3f bound_box(const Prepared& groom, std::uint32_t chunk,
+Eigen::AlignedBox3f bound_box(const OpenGroom& groom, std::uint32_t chunk,
                               const lancret_options* options, int kind) {
     const Request request = read_request(groom, chunk, options);
-    const ChunkBound found =
-        kind == LANCRET_REACH ? reach_of(groom, chunk, request)
-                              : tight_bound(groom, bind_request(groom, chunk, options));
+    const ChunkBox found = kind == LANCRET_REACH
+                               ? reach_of(groom, chunk, request)
+                               : tight_bound(groom, bind_request(groom, chunk, options));
     const Eigen::AlignedBox3f box = found.box();
     if (box.isEmpty()) return box;
     return {box.min() * float(request.scale), box.max() * float(request.scale)};

@@ -9,7 +9,7 @@ namespace lancret::abi {
 
 /// A box that holds the chunk with its widths at the options' times and between them, in
 /// the options' unit. Empty where no strand is grown. Throws BadCall, InputError.
-Eigen::AlignedBox3f bound_box(const Prepared& groom, std::uint32_t chunk,
+Eigen::AlignedBox3f bound_box(const OpenGroom& groom, std::uint32_t chunk,
                               const lancret_options* options, int kind);
 
 }  // namespace lancret::abi

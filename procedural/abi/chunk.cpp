@@ -39,7 +39,7 @@ void scale_points(std::span<Point4f> points, float scale) {
     for (Point4f& p : points) p = {p.x * scale, p.y * scale, p.z * scale, p.w * scale};
 }
 
-void write_time(const Prepared& groom, const Request& request, std::size_t points,
+void write_time(const OpenGroom& groom, const Request& request, std::size_t points,
                 const Binding& posed, const GuidePose& pose, const lancret_curves& out,
                 std::size_t time, Workspace& workspace) {
     ExpandSettings settings = settings_of(groom, request);
@@ -74,7 +74,7 @@ void copy_time(const lancret_curves& out, std::size_t points, std::size_t time) 
 }
 
 /// What is one a strand, whatever the time.
-void write_strands(const Prepared& groom, const BoundChunk& bound,
+void write_strands(const OpenGroom& groom, const ChunkBinding& bound,
                    const lancret_curves& out) {
     const Binding& binding = bound.binding;
     const Roots& roots = binding.roots;
@@ -105,7 +105,7 @@ void write_strands(const Prepared& groom, const BoundChunk& bound,
     if (out.guides) std::ranges::copy(binding.guides, writable(out.guides));
     if (out.weights) std::ranges::copy(binding.weights, writable(out.weights));
     if (out.random) {
-        const std::uint64_t seed = groom.generator().groom.seed;
+        const std::uint64_t seed = groom.ready().groom.seed;
         for (std::size_t i = 0; i < strands; ++i) {
             writable(out.random)[i] =
                 unit_float(hash_bits(seed, roots.id(i), kRandomSalt));
@@ -115,7 +115,7 @@ void write_strands(const Prepared& groom, const BoundChunk& bound,
 
 /// Arc length from the root, linear in the curve's parameter: beyond its ends too, so
 /// that the curve itself begins at 0 and ends at the strand's length.
-void write_arc_lengths(const BoundChunk& bound, float* to) {
+void write_arc_lengths(const ChunkBinding& bound, float* to) {
     const Request& request = bound.request;
     const bool beyond =
         request.basis == LANCRET_BSPLINE || request.basis == LANCRET_CATMULL_ROM;
@@ -135,17 +135,17 @@ void write_arc_lengths(const BoundChunk& bound, float* to) {
 
 }  // namespace
 
-ExpandSettings settings_of(const Prepared& groom, const Request& request) {
-    ExpandSettings out = groom.generator().groom.expand;
+ExpandSettings settings_of(const OpenGroom& groom, const Request& request) {
+    ExpandSettings out = groom.ready().groom.expand;
     out.basis = request.curve;
     out.faces = out.faces || request.wants(LANCRET_NORMALS);
     return out;
 }
 
-BoundChunk bind_request(const Prepared& groom, std::uint32_t chunk,
-                        const lancret_options* options) {
-    BoundChunk out{read_request(groom, chunk, options), {}, {}};
-    const Generator& generator = groom.generator();
+ChunkBinding bind_request(const OpenGroom& groom, std::uint32_t chunk,
+                          const lancret_options* options) {
+    ChunkBinding out{read_request(groom, chunk, options), {}, {}};
+    const ReadyGroom& ready = groom.ready();
     const StrandClasses& classes = *out.request.classes;
     out.binding = bind_chunk(groom.groom(), chunk, out.request.density, classes);
     stop_if_cancelled();
@@ -157,12 +157,12 @@ BoundChunk bind_request(const Prepared& groom, std::uint32_t chunk,
         });
     if (out.request.wants(LANCRET_NORMALS) && out.binding.faces.empty()) {
         out.binding.faces =
-            rest_faces(out.binding, generator.profiles, generator.groom.expand.blend);
+            rest_faces(out.binding, ready.profiles, ready.groom.expand.blend);
     }
     return out;
 }
 
-lancret_curves sizes_of(const BoundChunk& bound) {
+lancret_curves sizes_of(const ChunkBinding& bound) {
     lancret_curves out{};
     out.size = sizeof out;
     out.basis = bound.request.basis;
@@ -180,17 +180,17 @@ lancret_curves sizes_of(const BoundChunk& bound) {
     return out;
 }
 
-PosedBinding::PosedBinding(const Prepared& groom, const BoundChunk& bound)
+PosedBinding::PosedBinding(const OpenGroom& groom, const ChunkBinding& bound)
     : still_(bound.binding) {
     if (!groom.times().moves()) return;
-    rest_ = rest_places(bound.binding, groom.generator().source);
+    rest_ = rest_places(bound.binding, groom.ready().source);
     moved_ = &copy_.emplace(bound.binding);
 }
 
-PosedBinding::PosedBinding(const Prepared& groom, BoundChunk&& bound)
+PosedBinding::PosedBinding(const OpenGroom& groom, ChunkBinding&& bound)
     : still_(bound.binding) {
     if (!groom.times().moves()) return;
-    rest_ = rest_places(bound.binding, groom.generator().source);
+    rest_ = rest_places(bound.binding, groom.ready().source);
     moved_ = &bound.binding;
 }
 
@@ -202,7 +202,7 @@ const Binding& PosedBinding::at(const GuidePose& pose) {
 
 namespace {
 
-void write_times(const Prepared& groom, const BoundChunk& bound, PosedBinding&& posed,
+void write_times(const OpenGroom& groom, const ChunkBinding& bound, PosedBinding&& posed,
                  const lancret_curves& out, Workspace& workspace) {
     const Request& request = bound.request;
     write_strands(groom, bound, out);
@@ -221,17 +221,17 @@ void write_times(const Prepared& groom, const BoundChunk& bound, PosedBinding&& 
 
 }  // namespace
 
-void write_chunk(const Prepared& groom, const BoundChunk& bound,
+void write_chunk(const OpenGroom& groom, const ChunkBinding& bound,
                  const lancret_curves& out, Workspace& workspace) {
     write_times(groom, bound, PosedBinding(groom, bound), out, workspace);
 }
 
-void write_chunk(const Prepared& groom, BoundChunk&& bound, const lancret_curves& out,
+void write_chunk(const OpenGroom& groom, ChunkBinding&& bound, const lancret_curves& out,
                  Workspace& workspace) {
     write_times(groom, bound, PosedBinding(groom, std::move(bound)), out, workspace);
 }
 
-ChunkArrays::ChunkArrays(const BoundChunk& bound, Workspace& workspace)
+ChunkArrays::ChunkArrays(const ChunkBinding& bound, Workspace& workspace)
     : curves(sizes_of(bound)) {
     const Request& request = bound.request;
     const std::size_t strands = curves.strands;

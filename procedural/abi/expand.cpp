@@ -9,8 +9,9 @@
 
 using namespace lancret::abi;
 
-lancret_status lancret_bound(const lancret_groom* groom, lancret_u32 chunk,
-                             const lancret_options* options, int kind, float box[6]) {
+lancret_status lancret_groom_get_chunk_box(const lancret_groom* groom, lancret_u32 chunk,
+                                           const lancret_options* options, int kind,
+                                           float box[6]) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
         require(box, "box");
@@ -23,14 +24,14 @@ lancret_status lancret_bound(const lancret_groom* groom, lancret_u32 chunk,
     });
 }
 
-lancret_status lancret_expand(const lancret_groom* groom, lancret_u32 chunk,
-                              const lancret_options* options, lancret_sink sink,
-                              void* user) {
+lancret_status lancret_groom_expand_chunk(const lancret_groom* groom, lancret_u32 chunk,
+                                          const lancret_options* options,
+                                          lancret_sink sink, void* user) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
         require(sink, "sink");
-        const Prepared& own = *groom->own;
-        BoundChunk bound = bind_request(own, chunk, options);
+        const OpenGroom& own = *groom->own;
+        ChunkBinding bound = bind_request(own, chunk, options);
         const WorkspaceLoan workspace(groom->context.workspaces);
         const ChunkArrays arrays(bound, *workspace);
         write_chunk(own, std::move(bound), arrays.curves, *workspace);
@@ -51,7 +52,8 @@ lancret_status lancret_chunk_open(const lancret_groom* groom, lancret_u32 chunk,
     });
 }
 
-lancret_status lancret_chunk_sizes(const lancret_chunk* bound, lancret_curves* sizes) {
+lancret_status lancret_chunk_get_sizes(const lancret_chunk* bound,
+                                       lancret_curves* sizes) {
     if (!bound) return LANCRET_BAD_CALL;
     return run(bound->context,
                [&] { write_sized(sizes, sizes_of(bound->own), "lancret_curves"); });

@@ -11,20 +11,20 @@ namespace lancret::abi {
 
 namespace {
 
-std::vector<float> region_values(const Prepared& groom, const BoundChunk& bound) {
-    const GroomGuides& source = groom.generator().source;
+std::vector<float> region_values(const OpenGroom& groom, const ChunkBinding& bound) {
+    const PlacedGuides& source = groom.ready().source;
     if (!source.regions.map && source.regions.strands.empty()) {
-        throw InputError(groom.generator().groom.name + ": has no regions");
+        throw InputError(groom.ready().groom.name + ": has no regions");
     }
     const std::vector<std::uint32_t> regions =
         child_regions(source.regions, source.grown_roots, bound.binding.roots);
     return {regions.begin(), regions.end()};
 }
 
-std::vector<float> figures_of(const Prepared& groom, const BoundChunk& bound, int figure,
-                              std::size_t time) {
+std::vector<float> figures_of(const OpenGroom& groom, const ChunkBinding& bound,
+                              int figure, std::size_t time) {
     if (figure == LANCRET_REGION) return region_values(groom, bound);
-    const Groom& own = groom.generator().groom;
+    const GroomSettings& own = groom.ready().groom;
     const ExpandSettings settings = settings_of(groom, bound.request);
     const auto pose = groom.pose(bound.request.frames[time], bound.request.classes);
     PosedBinding binding(groom, bound);
@@ -50,7 +50,7 @@ std::vector<float> figures_of(const Prepared& groom, const BoundChunk& bound, in
     }
 }
 
-lancret_chunk_info info_of(const BoundChunk& bound) {
+lancret_chunk_info info_of(const ChunkBinding& bound) {
     const BindReport& report = bound.binding.report;
     lancret_chunk_info out{};
     out.strands = lancret_u32(bound.binding.size());
@@ -70,15 +70,15 @@ lancret_chunk_info info_of(const BoundChunk& bound) {
 
 using namespace lancret::abi;
 
-lancret_status lancret_get_chunk_info(const lancret_chunk* bound,
+lancret_status lancret_chunk_get_info(const lancret_chunk* bound,
                                       lancret_chunk_info* info) {
     if (!bound) return LANCRET_BAD_CALL;
     return run(bound->context,
                [&] { write_sized(info, info_of(bound->own), "lancret_chunk_info"); });
 }
 
-lancret_status lancret_chunk_figures(const lancret_chunk* bound, int figure,
-                                     std::size_t time, float* values) {
+lancret_status lancret_chunk_get_figures(const lancret_chunk* bound, int figure,
+                                         std::size_t time, float* values) {
     if (!bound) return LANCRET_BAD_CALL;
     return run(bound->context, [&] {
         require(values, "values");

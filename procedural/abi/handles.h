@@ -4,7 +4,7 @@
 #include <string>
 
 #include "procedural/abi/cancel_watch.h"
-#include "procedural/abi/prepared.h"
+#include "procedural/abi/open_groom.h"
 #include "procedural/abi/sized.h"
 #include "procedural/abi/workspace.h"
 
@@ -13,13 +13,13 @@ struct lancret_context {
 
     const lancret_host host;
     lancret::abi::Workspaces workspaces{host};
-    lancret::abi::SharedByKey<std::string, lancret::abi::Prepared> grooms{0};
+    lancret::abi::SharedByKey<std::string, lancret::abi::OpenGroom> grooms{0};
     lancret::abi::CancelWatch cancel{host};
 };
 
 struct lancret_groom {
     lancret_context& context;
-    std::shared_ptr<const lancret::abi::Prepared> own;
+    std::shared_ptr<const lancret::abi::OpenGroom> own;
 };
 
 namespace lancret::abi {

@@ -12,7 +12,7 @@ namespace lancret::abi {
 
 namespace {
 
-void tell_warnings(const lancret_context& context, const GroomGuides& source) {
+void log_warnings(const lancret_context& context, const PlacedGuides& source) {
     for (const std::string& warning : source.warnings) {
         log(context, LANCRET_LOG_WARNING, warning);
     }
@@ -20,7 +20,7 @@ void tell_warnings(const lancret_context& context, const GroomGuides& source) {
     if (!roots.empty()) log(context, LANCRET_LOG_WARNING, roots);
 }
 
-std::shared_ptr<const Prepared> prepare(lancret_context& context, const Source& source) {
+std::shared_ptr<const OpenGroom> prepare(lancret_context& context, const Source& source) {
     const SourcedGroom sourced = read_groom_source(source.settings);
     const auto make = [&] {
         const auto stage = [&](const char* name) {
@@ -32,13 +32,13 @@ std::shared_ptr<const Prepared> prepare(lancret_context& context, const Source& 
             log(context, LANCRET_LOG_WARNING, text);
         };
         auto out =
-            std::make_shared<const Prepared>(sourced, source.chunk_strands, stage, warn);
+            std::make_shared<const OpenGroom>(sourced, source.chunk_strands, stage, warn);
         stop_if_cancelled();
         return out;
     };
     const auto key = key_of(source, sourced);
     auto out = key ? context.grooms.get(*key, make) : make();
-    tell_warnings(context, out->generator().source);
+    log_warnings(context, out->ready().source);
     return out;
 }
 
@@ -49,34 +49,34 @@ int shape_of(const std::optional<CurveShape>& shape) {
                                          : LANCRET_RIBBON;
 }
 
-lancret_info info_of(const Prepared& groom) {
-    const Generator& generator = groom.generator();
-    const SceneUnits& scene = generator.groom.scene;
+lancret_info info_of(const OpenGroom& groom) {
+    const ReadyGroom& ready = groom.ready();
+    const SceneUnits& scene = ready.groom.scene;
     lancret_info out{};
     out.chunks = lancret_u32(groom.groom().chunks.size());
     out.strands = lancret_u32(groom.groom().places.size());
-    out.guides = lancret_u32(generator.source.guides.size());
-    out.segments = lancret_u32(generator.source.guides.segments);
-    out.intervals = lancret_u32(generator.profiles.count);
-    out.neighbours = lancret_u32(generator.binding.neighbours);
+    out.guides = lancret_u32(ready.source.guides.size());
+    out.segments = lancret_u32(ready.source.guides.segments);
+    out.intervals = lancret_u32(ready.profiles.count);
+    out.neighbours = lancret_u32(ready.binding.neighbours);
     if (groom.times().moves()) {
         out.first_frame = groom.times().first();
         out.last_frame = groom.times().last();
         out.frames = groom.times().info.frames;
     }
-    const ExpandSettings& expand = generator.groom.expand;
+    const ExpandSettings& expand = ready.groom.expand;
     out.basis = expand.basis == CurveBasis::hermite ? LANCRET_HERMITE : LANCRET_BSPLINE;
     out.shape = shape_of(expand.shape);
-    const Eigen::AlignedBox3f box = guide_box(generator);
+    const Eigen::AlignedBox3f box = guide_box(ready);
     for (int i = 0; i < 3; ++i) {
         out.box[i] = box.min()[i];
         out.box[3 + i] = box.max()[i];
     }
     out.cm_per_unit = float(scene.centimetres_per_unit());
     for (int i = 0; i < 3; ++i) out.up[i] = float(scene.up[i]);
-    out.load_seconds = generator.seconds.load;
-    out.fit_seconds = generator.seconds.fit;
-    out.bind_seconds = generator.seconds.bind;
+    out.load_seconds = ready.seconds.load;
+    out.fit_seconds = ready.seconds.fit;
+    out.bind_seconds = ready.seconds.bind;
     out.bytes = groom.bytes();
     return out;
 }
@@ -91,8 +91,8 @@ const char* lancret_version(void) { return LANCRET_VERSION; }
 
 int lancret_abi_version(void) { return LANCRET_ABI_VERSION; }
 
-lancret_status lancret_create(int abi_version, const lancret_host* host,
-                              lancret_context** context) {
+lancret_status lancret_context_create(int abi_version, const lancret_host* host,
+                                      lancret_context** context) {
     if (!context) return LANCRET_BAD_CALL;
     *context = nullptr;
     if (abi_version != LANCRET_ABI_VERSION) return LANCRET_BAD_CALL;
@@ -112,10 +112,11 @@ lancret_status lancret_create(int abi_version, const lancret_host* host,
     }
 }
 
-void lancret_destroy(lancret_context* context) { delete context; }
+void lancret_context_destroy(lancret_context* context) { delete context; }
 
-lancret_status lancret_open(lancret_context* context, const lancret_source* source,
-                            lancret_groom** groom, char* error, std::size_t error_size) {
+lancret_status lancret_groom_open(lancret_context* context, const lancret_source* source,
+                                  lancret_groom** groom, char* error,
+                                  std::size_t error_size) {
     if (error && error_size > 0) *error = 0;
     if (groom) *groom = nullptr;
     if (!context || !groom) return LANCRET_BAD_CALL;
@@ -131,18 +132,19 @@ lancret_status lancret_open(lancret_context* context, const lancret_source* sour
     return status;
 }
 
-void lancret_close(lancret_groom* groom) { delete groom; }
+void lancret_groom_close(lancret_groom* groom) { delete groom; }
 
-lancret_status lancret_get_info(const lancret_groom* groom, lancret_info* info) {
+lancret_status lancret_groom_get_info(const lancret_groom* groom, lancret_info* info) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context,
                [&] { write_sized(info, info_of(*groom->own), "lancret_info"); });
 }
 
-lancret_status lancret_get_guides(const lancret_groom* groom, lancret_guides* guides) {
+lancret_status lancret_groom_get_guides(const lancret_groom* groom,
+                                        lancret_guides* guides) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
-        const lancret::Guides& from = groom->own->generator().source.guides;
+        const lancret::Guides& from = groom->own->ready().source.guides;
         const GuideArrays& arrays = groom->own->guide_arrays();
         static_assert(sizeof(lancret::Vec3) == 3 * sizeof(double));
         lancret_guides out{};

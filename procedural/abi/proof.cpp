@@ -14,11 +14,11 @@ namespace lancret::abi {
 
 namespace {
 
-lancret_check check_of(const Prepared& groom, std::uint32_t chunk,
+lancret_check check_of(const OpenGroom& groom, std::uint32_t chunk,
                        const lancret_options* options) {
-    const BoundChunk bound = bind_request(groom, chunk, options);
+    const ChunkBinding bound = bind_request(groom, chunk, options);
     const Request& request = bound.request;
-    const Groom& own = groom.generator().groom;
+    const GroomSettings& own = groom.ready().groom;
     const auto pose = groom.pose(request.frames[0], request.classes);
     PosedBinding binding(groom, bound);
     const Binding& posed = binding.at(*pose);
@@ -54,14 +54,14 @@ lancret_check check_of(const Prepared& groom, std::uint32_t chunk,
 }
 
 std::string evaluation_text(lancret_context& context, const Source& source) {
-    Groom groom = read_groom_source(source.settings).groom;
+    GroomSettings groom = read_groom_source(source.settings).groom;
     if (!groom.guides.number && !groom.guides.share) groom.guides.share = 0.05;
     std::vector<std::string> warnings;
     const EvaluationSubject subject = load_subject(groom, {}, warnings);
     for (const std::string& warning : warnings) {
         log(context, LANCRET_LOG_WARNING, warning);
     }
-    const LeaveOut taken = take_apart(groom, subject, std::nullopt);
+    const HoldOut taken = split_groom(groom, subject, std::nullopt);
     EvaluationReport report{.groom = groom.name,
                             .curl = {},
                             .seed = groom.seed,
@@ -81,8 +81,9 @@ std::string evaluation_text(lancret_context& context, const Source& source) {
 
 using namespace lancret::abi;
 
-lancret_status lancret_check_chunk(const lancret_groom* groom, lancret_u32 chunk,
-                                   const lancret_options* options, lancret_check* check) {
+lancret_status lancret_groom_check_chunk(const lancret_groom* groom, lancret_u32 chunk,
+                                         const lancret_options* options,
+                                         lancret_check* check) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
         require(check, "lancret_check");
@@ -90,9 +91,10 @@ lancret_status lancret_check_chunk(const lancret_groom* groom, lancret_u32 chunk
     });
 }
 
-lancret_status lancret_evaluate(lancret_context* context, const lancret_source* source,
-                                lancret_text_sink sink, void* user, char* error,
-                                std::size_t error_size) {
+lancret_status lancret_context_evaluate(lancret_context* context,
+                                        const lancret_source* source,
+                                        lancret_text_sink sink, void* user, char* error,
+                                        std::size_t error_size) {
     copy_text("", error, error_size);
     if (!context) return LANCRET_BAD_CALL;
     std::string fault;

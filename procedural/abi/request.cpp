@@ -9,7 +9,7 @@ namespace lancret::abi {
 
 namespace {
 
-constexpr float kLeastError = 1e-4f;  // cm, as in a groom's file
+constexpr float kMinError = 1e-4f;  // cm, as in a groom's file
 constexpr std::uint32_t kKnownAttributes =
     LANCRET_TANGENTS | LANCRET_NORMALS | LANCRET_IDS | LANCRET_ROOT_UV | LANCRET_LENGTHS |
     LANCRET_GUIDES | LANCRET_ARC_LENGTHS | LANCRET_RANDOM;
@@ -20,20 +20,20 @@ bool is_amount(double x) { return x >= 0 && x <= 1e30; }
 
 }  // namespace
 
-Request read_request(const Prepared& groom, std::uint32_t chunk,
+Request read_request(const OpenGroom& groom, std::uint32_t chunk,
                      const lancret_options* options) {
     require(chunk < groom.groom().chunks.size(), "there is no such chunk");
     lancret_options in{};
     in.size = sizeof in;
     if (options) in = read_sized(options, "lancret_options and its size");
-    require(in.time_count <= kMostTimes && (in.times || in.time_count == 0),
+    require(in.time_count <= kMaxTimes && (in.times || in.time_count == 0),
             "lancret_options: times");
     require(in.basis >= LANCRET_LINEAR && in.basis <= LANCRET_HERMITE,
             "lancret_options: basis");
     require(is_amount(in.max_error), "lancret_options: max_error");
     require(is_share(in.density), "lancret_options: density");
-    require(is_amount(in.pixels) && is_amount(in.strands_a_pixel),
-            "lancret_options: pixels and strands_a_pixel");
+    require(is_amount(in.pixels) && is_amount(in.strands_per_pixel),
+            "lancret_options: pixels and strands_per_pixel");
     require(is_amount(in.unit) && (in.unit == 0 || in.unit >= 1e-6f),
             "lancret_options: unit");
     require((in.attributes & ~kKnownAttributes) == 0, "lancret_options: attributes");
@@ -52,16 +52,16 @@ Request read_request(const Prepared& groom, std::uint32_t chunk,
     out.basis = in.basis;
     out.curve = kBases[in.basis];
     out.max_error = float(in.max_error * scale);
-    require(out.max_error == 0 || out.max_error >= kLeastError,
+    require(out.max_error == 0 || out.max_error >= kMinError,
             "lancret_options: max_error is below a micrometre");
-    const Generator& generator = groom.generator();
-    out.density = in.density > 0 ? in.density : generator.groom.density;
-    if (in.strands_a_pixel > 0) {
+    const ReadyGroom& ready = groom.ready();
+    out.density = in.density > 0 ? in.density : ready.groom.density;
+    if (in.strands_per_pixel > 0) {
         out.density = std::min(
             out.density, lod_density(in.pixels, groom.groom().chunks.of(chunk).size(),
-                                     in.strands_a_pixel));
+                                     in.strands_per_pixel));
     }
-    out.density = std::max(out.density, kLeastDensity);
+    out.density = std::max(out.density, kMinDensity);
     out.attributes = in.attributes;
     out.classes = groom.classes(out.curve, out.max_error, out.wants(LANCRET_NORMALS));
     out.scale = 1 / scale;

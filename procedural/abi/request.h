@@ -10,13 +10,13 @@
 namespace lancret::abi {
 
 /// Times of one call.
-inline constexpr std::size_t kMostTimes = 256;
+inline constexpr std::size_t kMaxTimes = 256;
 
 /// Options that were looked at, for one chunk.
 struct Request {
     int basis = 0;  ///< LANCRET_LINEAR, ...
     std::vector<double>
-        frames;  ///< at least one: what is there at each time: see Prepared::frame_at
+        frames;  ///< at least one: what is there at each time: see OpenGroom::frame_at
     CurveBasis curve = CurveBasis::linear;         ///< the same
     float max_error = 0;                           ///< cm; 0: the groom's own
     std::shared_ptr<const StrandClasses> classes;  ///< how finely strands are cut
@@ -32,7 +32,7 @@ struct Request {
 };
 
 /// Null options are the defaults. Throws BadCall.
-Request read_request(const Prepared& groom, std::uint32_t chunk,
+Request read_request(const OpenGroom& groom, std::uint32_t chunk,
                      const lancret_options* options);
 
 }  // namespace lancret::abi

@@ -11,15 +11,15 @@ namespace lancret::abi {
 
 namespace {
 
-std::string description_of(const Generator& generator) {
-    nlohmann::json out = fit_json(generator.source);
-    out["blend"] = blend_name(generator.groom.expand.blend);
+std::string description_of(const ReadyGroom& ready) {
+    nlohmann::json out = fit_json(ready.source);
+    out["blend"] = blend_name(ready.groom.expand.blend);
     return out.dump();
 }
 
 /// Nothing where there is no head.
-TriangleMesh head_at(const Prepared& groom, double time) {
-    const GroomGuides& source = groom.generator().source;
+TriangleMesh head_at(const OpenGroom& groom, double time) {
+    const PlacedGuides& source = groom.ready().source;
     if (!source.body && !source.scalp) return {};
     const TriangleMesh& rest = source.body ? *source.body : source.scalp->mesh;
     const GroomTimes& times = groom.times();
@@ -48,18 +48,18 @@ lancret_mesh view_of(const TriangleMesh& mesh) {
 
 using namespace lancret::abi;
 
-lancret_status lancret_describe(const lancret_groom* groom, lancret_text_sink sink,
-                                void* user) {
+lancret_status lancret_groom_describe(const lancret_groom* groom, lancret_text_sink sink,
+                                      void* user) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
         require(sink, "sink");
-        const std::string text = description_of(groom->own->generator());
+        const std::string text = description_of(groom->own->ready());
         call_host([&] { sink(user, text.c_str()); });
     });
 }
 
-lancret_status lancret_get_head(const lancret_groom* groom, double time,
-                                lancret_mesh_sink sink, void* user) {
+lancret_status lancret_groom_get_head(const lancret_groom* groom, double time,
+                                      lancret_mesh_sink sink, void* user) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
         require(sink, "sink");
@@ -72,18 +72,17 @@ lancret_status lancret_get_head(const lancret_groom* groom, double time,
     });
 }
 
-lancret_status lancret_is_still(const lancret_groom* groom, const double* times,
-                                std::size_t time_count, int* still) {
+lancret_status lancret_groom_is_still(const lancret_groom* groom, const double* times,
+                                      std::size_t time_count, int* still) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
         require(still, "still");
-        require(times && time_count > 0 && time_count <= kMostTimes, "times");
+        require(times && time_count > 0 && time_count <= kMaxTimes, "times");
         std::vector<double> frames;
         for (std::size_t i = 0; i < time_count; ++i) {
             require(std::isfinite(times[i]), "a time is not finite");
             frames.push_back(groom->own->frame_at(times[i]));
         }
-        *still =
-            is_still(groom->own->times(), groom->own->generator().source.places, frames);
+        *still = is_still(groom->own->times(), groom->own->ready().source.places, frames);
     });
 }

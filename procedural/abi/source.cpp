@@ -13,9 +13,9 @@ namespace lancret::abi {
 
 namespace {
 
-constexpr std::size_t kMostParameters = 1 << 16;
-constexpr std::uint32_t kMostChunkStrands = 1'000'000;
-constexpr int kMostFramesLookedAt = 1000;
+constexpr std::size_t kMaxParameters = 1 << 16;
+constexpr std::uint32_t kMaxChunkStrands = 1'000'000;
+constexpr int kMaxFramesLookedAt = 1000;
 
 /// Length first, so that two texts side by side are not taken for two others.
 void add(std::string& key, std::string_view text) {
@@ -37,9 +37,9 @@ Source read_source(const lancret_source* given) {
     require(in.path || in.text || in.strands,
             "lancret_source: neither path nor text nor strands");
     require(!in.path || *in.path, "lancret_source: path is empty");
-    require(in.parameter_count <= kMostParameters, "lancret_source: parameter_count");
+    require(in.parameter_count <= kMaxParameters, "lancret_source: parameter_count");
     require(in.parameters || in.parameter_count == 0, "lancret_source: parameters");
-    require(in.chunk_strands <= kMostChunkStrands, "lancret_source: chunk_strands");
+    require(in.chunk_strands <= kMaxChunkStrands, "lancret_source: chunk_strands");
     Source out;
     if (in.path) out.settings.path = in.path;
     if (in.text) out.settings.text = in.text;
@@ -54,7 +54,7 @@ Source read_source(const lancret_source* given) {
     }
     if (in.strands) out.settings.strands = copied(in.strands);
     if (in.scalp) out.settings.scalp = copied(in.scalp);
-    out.chunk_strands = in.chunk_strands ? in.chunk_strands : kStrandsAChunk;
+    out.chunk_strands = in.chunk_strands ? in.chunk_strands : kStrandsPerChunk;
     return out;
 }
 
@@ -75,7 +75,7 @@ std::optional<std::string> key_of(const Source& source, const SourcedGroom& sour
                              std::bit_cast<std::uint64_t>(p.number)));
     }
     add(key, std::to_string(source.chunk_strands));
-    const Groom& groom = sourced.groom;
+    const GroomSettings& groom = sourced.groom;
     for (const std::filesystem::path& file :
          {std::filesystem::path(groom.name), groom.strands_file, groom.guides_file,
           groom.scalp_file, groom.regions.texture, groom.regions.ids}) {
@@ -85,7 +85,7 @@ std::optional<std::string> key_of(const Source& source, const SourcedGroom& sour
     if (files.pattern.empty()) return key;
     add(key, files.pattern);
     const std::int64_t step =
-        1 + (std::int64_t(files.last) - files.first) / kMostFramesLookedAt;
+        1 + (std::int64_t(files.last) - files.first) / kMaxFramesLookedAt;
     for (std::int64_t f = files.first; f <= files.last; f += step) {
         add_file(key, frame_path(files.pattern, int(f)));
         stop_if_cancelled();

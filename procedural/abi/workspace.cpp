@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kLine = 64;
 /// Workspaces beyond these are given back: more calls at once than that are rare.
-constexpr std::size_t kMostIdle = 64;
+constexpr std::size_t kMaxIdle = 64;
 
 }  // namespace
 
@@ -55,7 +55,7 @@ void Workspace::clear() {
 std::unique_ptr<Workspace> Workspaces::take() {
     {
         const std::lock_guard lock(mutex_);
-        idle_.reserve(kMostIdle);  // where it may fail: giving back must not
+        idle_.reserve(kMaxIdle);  // where it may fail: giving back must not
         if (!idle_.empty()) {
             auto out = std::move(idle_.back());
             idle_.pop_back();
@@ -68,7 +68,7 @@ std::unique_ptr<Workspace> Workspaces::take() {
 void Workspaces::give(std::unique_ptr<Workspace> workspace) noexcept {
     workspace->rewind();
     const std::lock_guard lock(mutex_);
-    if (idle_.size() < kMostIdle) idle_.push_back(std::move(workspace));
+    if (idle_.size() < kMaxIdle) idle_.push_back(std::move(workspace));
 }
 
 }  // namespace lancret::abi

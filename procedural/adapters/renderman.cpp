@@ -20,18 +20,18 @@ namespace {
 struct Root {
     RendermanParameters parameters;
     std::mutex mutex;
-    std::shared_ptr<const OpenGroom> groom;
+    std::shared_ptr<const SharedGroom> groom;
 
-    std::shared_ptr<const OpenGroom> open() {
+    std::shared_ptr<const SharedGroom> open() {
         const std::lock_guard lock(mutex);
-        if (!groom) groom = std::make_shared<const OpenGroom>(parameters);
+        if (!groom) groom = std::make_shared<const SharedGroom>(parameters);
         return groom;
     }
 };
 
 /// That of a chunk. It may outlive its root.
 struct Chunk {
-    std::shared_ptr<const OpenGroom> groom;
+    std::shared_ptr<const SharedGroom> groom;
     lancret_u32 index;
 };
 
@@ -69,11 +69,11 @@ lancret_status keep_curves(void* user, const lancret_curves* curves) {
 void subdivide_chunk(RtPointer data, RtFloat detail) {
     guarded(kRiSystem, [&] {
         const Chunk& chunk = *static_cast<const Chunk*>(data);
-        const OpenGroom& groom = *chunk.groom;
+        const SharedGroom& groom = *chunk.groom;
         const lancret_options options = chunk_options(groom.parameters, detail);
         Kept kept;
-        const lancret_status status =
-            lancret_expand(groom.handle.get(), chunk.index, &options, keep_curves, &kept);
+        const lancret_status status = lancret_groom_expand_chunk(
+            groom.handle.get(), chunk.index, &options, keep_curves, &kept);
         groom.context->messages.print();
         if (kept.error) std::rethrow_exception(kept.error);
         expect_ok(status,
@@ -86,12 +86,12 @@ void subdivide_chunk(RtPointer data, RtFloat detail) {
 void free_chunk(RtPointer data) { delete static_cast<Chunk*>(data); }
 
 void subdivide_root(Root& root) {
-    const std::shared_ptr<const OpenGroom> groom = root.open();
+    const std::shared_ptr<const SharedGroom> groom = root.open();
     groom->context->messages.print();
     for (lancret_u32 i = 0; i < groom->info.chunks; ++i) {
         auto chunk = std::make_unique<Chunk>(Chunk{groom, i});
         RtBound bound;
-        chunk_bound(*groom, i, bound);
+        chunk_box(*groom, i, bound);
         if (bound[0] > bound[1]) continue;  // none of its strands are grown
         RiProcedural(chunk.release(), bound, subdivide_chunk, free_chunk);
     }

@@ -73,14 +73,14 @@ Context::Context(int threads) {
     host.user = &messages;
     host.log = keep_message;
     host.threads = threads;
-    expect_ok(lancret_create(LANCRET_ABI_VERSION, &host, &handle), "lancret_create",
-              messages);
+    expect_ok(lancret_context_create(LANCRET_ABI_VERSION, &host, &handle),
+              "lancret_context_create", messages);
 }
 
-OpenGroom::OpenGroom(RendermanParameters given)
+SharedGroom::SharedGroom(RendermanParameters given)
     : parameters(std::move(given)),
       context(shared_context(parameters.threads)),
-      handle(nullptr, lancret_close) {
+      handle(nullptr, lancret_groom_close) {
     std::vector<lancret_parameter> values;
     for (const GroomValue& value : parameters.values) {
         values.push_back({value.name.c_str(),
@@ -99,8 +99,8 @@ OpenGroom::OpenGroom(RendermanParameters given)
     lancret_groom* opened = nullptr;
     const lancret_status status =
         std::async(std::launch::async, [&] {
-            const lancret_status out =
-                lancret_open(context->handle, &source, &opened, error, sizeof error);
+            const lancret_status out = lancret_groom_open(context->handle, &source,
+                                                          &opened, error, sizeof error);
             context->messages.take_error();  // which is the same
             return out;
         }).get();
@@ -108,7 +108,7 @@ OpenGroom::OpenGroom(RendermanParameters given)
     if (status != LANCRET_OK && error[0] != '\0') throw std::runtime_error(error);
     expect_ok(status, parameters.file, context->messages);
     info.size = sizeof info;
-    expect_ok(lancret_get_info(handle.get(), &info), "lancret_get_info",
+    expect_ok(lancret_groom_get_info(handle.get(), &info), "lancret_groom_get_info",
               context->messages);
 }
 
@@ -122,28 +122,30 @@ lancret_options chunk_options(const RendermanParameters& parameters, RtFloat det
     out.density = parameters.density;
     out.attributes = parameters.attributes;
     out.unit = parameters.unit;
-    if (parameters.strands_a_pixel > 0 && detail < kNoDetail) {
+    if (parameters.strands_per_pixel > 0 && detail < kNoDetail) {
         // A chunk has at most chunk_strands, so that the share stays above the least.
-        out.strands_a_pixel = parameters.strands_a_pixel;
+        out.strands_per_pixel = parameters.strands_per_pixel;
         out.pixels =
             std::max(double(detail), parameters.least_density * parameters.chunk_strands /
-                                         parameters.strands_a_pixel);
+                                         parameters.strands_per_pixel);
     }
     return out;
 }
 
-void chunk_bound(const OpenGroom& groom, lancret_u32 chunk, RtBound bound) {
+void chunk_box(const SharedGroom& groom, lancret_u32 chunk, RtBound bound) {
     const RendermanParameters& parameters = groom.parameters;
     const std::string what =
         parameters.file + ", bound of chunk " + std::to_string(chunk);
     float all[6];
     const lancret_options full = chunk_options(parameters, kNoDetail);
-    expect_ok(lancret_bound(groom.handle.get(), chunk, &full, parameters.bound, all),
+    expect_ok(lancret_groom_get_chunk_box(groom.handle.get(), chunk, &full,
+                                          parameters.bound, all),
               what, groom.context->messages);
-    if (parameters.strands_a_pixel > 0) {
+    if (parameters.strands_per_pixel > 0) {
         float wide[6];
         const lancret_options least = chunk_options(parameters, 0);
-        expect_ok(lancret_bound(groom.handle.get(), chunk, &least, LANCRET_REACH, wide),
+        expect_ok(lancret_groom_get_chunk_box(groom.handle.get(), chunk, &least,
+                                              LANCRET_REACH, wide),
                   what, groom.context->messages);
         for (int a = 0; a < 3; ++a) {
             all[a] = std::min(all[a], wide[a]);

@@ -37,27 +37,27 @@ struct Context {
     lancret_context* handle = nullptr;
 
     explicit Context(int threads);
-    ~Context() { lancret_destroy(handle); }
+    ~Context() { lancret_context_destroy(handle); }
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 };
 
 /// Kept by its root procedural and by those of its chunks, closed with the last.
-struct OpenGroom {
+struct SharedGroom {
     RendermanParameters parameters;
     std::shared_ptr<Context> context;
-    std::unique_ptr<lancret_groom, decltype(&lancret_close)> handle;
+    std::unique_ptr<lancret_groom, decltype(&lancret_groom_close)> handle;
     lancret_info info{};
 
     /// Throws std::runtime_error with the file and line at fault.
-    explicit OpenGroom(RendermanParameters parameters);
+    explicit SharedGroom(RendermanParameters parameters);
 };
 
 /// What a chunk is asked for where it covers `detail` pixels.
 lancret_options chunk_options(const RendermanParameters& parameters, RtFloat detail);
 
 /// Holds a chunk at every detail: level of detail makes strands wider.
-void chunk_bound(const OpenGroom& groom, lancret_u32 chunk, RtBound bound);
+void chunk_box(const SharedGroom& groom, lancret_u32 chunk, RtBound bound);
 
 /// Throws std::runtime_error that names `what` where `status` is not LANCRET_OK, with
 /// what was said.

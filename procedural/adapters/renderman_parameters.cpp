@@ -9,7 +9,7 @@
 namespace lancret {
 namespace {
 
-constexpr std::size_t kMostTimes = 64;  // of lancret_options
+constexpr std::size_t kMaxTimes = 64;  // of lancret_options
 
 /// A word of the string: `name` is empty where it has no =.
 struct Word {
@@ -112,7 +112,7 @@ std::vector<double> numbers_of(const Word& word) {
         one.value = part;
         out.push_back(number_of(one, -1e6, 1e6));
     }
-    if (out.size() > kMostTimes) fail(word, "at most 64 times were expected");
+    if (out.size() > kMaxTimes) fail(word, "at most 64 times were expected");
     for (std::size_t i = 1; i < out.size(); ++i) {
         if (!(float(out[i]) > float(out[i - 1])))
             fail(word, "times that rise were expected");
@@ -187,8 +187,8 @@ void take(const Word& word, RendermanParameters& out, Times& times) {
         out.max_error = float(number_of(word, 0, 1e6));
     } else if (name == "density") {
         out.density = number_of(word, 1e-6, 1);
-    } else if (name == "strands_a_pixel") {
-        out.strands_a_pixel = number_of(word, 0, 1e6);
+    } else if (name == "strands_per_pixel") {
+        out.strands_per_pixel = number_of(word, 0, 1e6);
     } else if (name == "least_density") {
         out.least_density = number_of(word, 1e-6, 1);
     } else if (name == "primvars") {

@@ -30,10 +30,10 @@ struct RendermanParameters {
                                 ///< first frame
     std::vector<float> motion;  ///< [times] where the renderer's motion blocks have them
     int basis = LANCRET_BSPLINE;
-    float max_error = 0;          ///< units; 0: the groom's own
-    double density = 0;           ///< 0: the groom's own
-    double strands_a_pixel = 0;   ///< 0: no level of detail
-    double least_density = 0.01;  ///< that level of detail may come to
+    float max_error = 0;           ///< units; 0: the groom's own
+    double density = 0;            ///< 0: the groom's own
+    double strands_per_pixel = 0;  ///< 0: no level of detail
+    double least_density = 0.01;   ///< that level of detail may come to
     lancret_u32 attributes = 0;
     lancret_u32 chunk_strands = 4096;
     float unit = 1;   ///< cm of a unit of the scene

@@ -33,7 +33,7 @@ namespace {
 /// Binds the children of a range, one after the other.
 class Binder {
   public:
-    Binder(Binding& binding, const Guides& guides, const BoundGuides& bound,
+    Binder(Binding& binding, const Guides& guides, const GuideLookup& bound,
            const BindSettings& settings, const BindBorders& borders)
         : binding_(binding),
           guides_(guides),
@@ -50,7 +50,7 @@ class Binder {
         const std::uint32_t region =
             borders_.child_regions.empty() ? 0 : borders_.child_regions[i];
         const Candidates& near = finder_.find(place, up, region, k);
-        report.no_guide_in_region += near.strange;
+        report.no_guide_in_region += near.from_all_regions;
 
         const std::span<std::uint32_t> chosen(&binding_.guides[i * k], k);
         const std::span<float> weights(&binding_.weights[i * k], k);
@@ -126,7 +126,7 @@ class Binder {
 
     Binding& binding_;
     const Guides& guides_;
-    const BoundGuides& bound_;
+    const GuideLookup& bound_;
     const BindSettings& settings_;
     const BindBorders& borders_;
     CandidateFinder finder_;
@@ -155,12 +155,12 @@ void check(const Roots& roots, const Guides& guides, const BindSettings& setting
 Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals,
              const BindSettings& settings, const BindBorders& borders) {
     check(roots, guides, settings, borders);
-    const BoundGuides bound(guides, borders.guide_regions);
+    const GuideLookup bound(guides, borders.guide_regions);
     return bind(std::move(roots), guides, bound, std::move(guide_normals), settings,
                 borders);
 }
 
-Binding bind(Roots roots, const Guides& guides, const BoundGuides& bound,
+Binding bind(Roots roots, const Guides& guides, const GuideLookup& bound,
              std::vector<Vec3f> guide_normals, const BindSettings& settings,
              const BindBorders& borders) {
     check(roots, guides, settings, borders);

@@ -13,7 +13,7 @@
 
 namespace lancret {
 
-class BoundGuides;
+class GuideLookup;
 class Partings;
 
 struct BindSettings {
@@ -86,7 +86,7 @@ Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals
              const BindSettings& settings, const BindBorders& borders = {});
 
 /// The same, where `bound` was made of these guides and borders.guide_regions before.
-Binding bind(Roots roots, const Guides& guides, const BoundGuides& bound,
+Binding bind(Roots roots, const Guides& guides, const GuideLookup& bound,
              std::vector<Vec3f> guide_normals, const BindSettings& settings,
              const BindBorders& borders = {});
 

@@ -74,7 +74,7 @@ double CandidateFinder::set_shares(const Vec3& place, const Vec3& up) {
 const Candidates& CandidateFinder::find(const Vec3& place, const Vec3& up,
                                         std::uint32_t region, std::size_t k) {
     const GuideIndex::Group* group = index_.of(region);
-    out_.strange = group == nullptr;
+    out_.from_all_regions = group == nullptr;
     if (!group) group = &index_.all();
     constexpr double kFar = std::numeric_limits<double>::infinity();
     std::size_t want = k + 1;

@@ -49,7 +49,7 @@ struct Candidates {
     std::size_t within = 0;  ///< that may have a weight: those nearer than the reach, and
                              ///< where all are nearest neighbours all of these
     double reach = 0;        ///< neighbour_reach, cm
-    bool strange = false;    ///< of all regions, as the child's own has none
+    bool from_all_regions = false;  ///< of all regions, as the child's own has none
     std::array<std::uint32_t, kMaxCandidates> guides;
     std::array<double, kMaxCandidates> distances;  ///< cm
     std::array<double, kMaxCandidates> sights;     ///< 0 to 1, past the partings

@@ -19,7 +19,7 @@ bool is_straight(const Guides& guides, std::size_t g) {
 
 }  // namespace
 
-BoundGuides::BoundGuides(const Guides& guides, std::span<const std::uint32_t> regions)
+GuideLookup::GuideLookup(const Guides& guides, std::span<const std::uint32_t> regions)
     : index_(guides.root_positions, regions) {
     for (std::size_t g = 0; g < guides.size(); ++g) {
         guides_.push_back({guide_length(guides, g), is_straight(guides, g)});

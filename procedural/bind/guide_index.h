@@ -5,10 +5,10 @@
 
 namespace lancret {
 
-class BoundGuides {
+class GuideLookup {
   public:
     /// `regions` has one for each guide, or none.
-    BoundGuides(const Guides& guides, std::span<const std::uint32_t> regions);
+    GuideLookup(const Guides& guides, std::span<const std::uint32_t> regions);
 
     const GuideIndex& index() const { return index_; }
     double length(std::size_t g) const { return guides_[g].length; }  ///< cm

@@ -8,7 +8,7 @@ namespace lancret {
 
 namespace {
 
-constexpr double kMostPieces = 20000;
+constexpr double kMaxPieces = 20000;
 
 /// How far above or below the line of sight a parting still counts, cm.
 double height_limit(double length) { return 0.5 + 0.5 * length; }
@@ -38,7 +38,7 @@ std::vector<Polyline> divided(std::span<const Polyline> lines, double longest) {
             length += (line[i + 1] - line[i]).norm();
         }
     }
-    longest = std::max(longest, length / kMostPieces);
+    longest = std::max(longest, length / kMaxPieces);
     std::vector<Polyline> out;
     for (const Polyline& line : lines) {
         Polyline& points = out.emplace_back();

@@ -35,9 +35,9 @@ RegionMap read_region_map(const std::filesystem::path& path) {
     const auto input = OIIO::ImageInput::open(path.string(), &as_stored);
     if (!input) throw fail("not a picture that can be read: " + OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
-    constexpr std::int64_t kMostTexels = std::int64_t(1) << 26;
+    constexpr std::int64_t kMaxTexels = std::int64_t(1) << 26;
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
-        std::int64_t(spec.width) * spec.height > kMostTexels) {
+        std::int64_t(spec.width) * spec.height > kMaxTexels) {
         throw fail(
             fmt::format("a picture of {} x {} x {} with {} channels, expected a "
                         "flat one of at most 2^26 texels",
@@ -59,11 +59,11 @@ RegionMap read_region_map(const std::filesystem::path& path) {
         }
         const auto number = std::uint32_t(numbers.size());
         map.regions[i] = numbers.try_emplace(colour, number).first->second;
-        if (numbers.size() > kMostRegions) {
+        if (numbers.size() > kMaxRegions) {
             throw fail(
                 fmt::format("more than {} colours, each of which would be a region: "
                             "expected flat colours, without noise and soft borders",
-                            kMostRegions));
+                            kMaxRegions));
         }
     }
     map.count = numbers.size();

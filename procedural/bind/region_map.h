@@ -11,7 +11,7 @@
 namespace lancret {
 
 /// The most colours that a painted map may have.
-inline constexpr std::size_t kMostRegions = 4096;
+inline constexpr std::size_t kMaxRegions = 4096;
 
 /// A painted map: each colour is a region, numbered from 0 in the order in which they
 /// are met, row by row from the top.
@@ -23,7 +23,7 @@ struct RegionMap {
 
 /// Reads a picture whose colours are regions. Colours are told apart by their 8 bits a
 /// channel, alpha among them; nothing is filtered. Throws InputError that names the path:
-/// where it cannot be read, and where it has more than kMostRegions colours, as a picture
+/// where it cannot be read, and where it has more than kMaxRegions colours, as a picture
 /// with noise or soft borders would.
 RegionMap read_region_map(const std::filesystem::path& path);
 

@@ -52,7 +52,7 @@ WeightSource guide_weights(std::span<const double> distances,
         faced += raw[k] * std::max(0.0, facing[k]);
     }
     if (!(sum > 0)) return WeightSource::none;
-    const double floor = std::max(0.0, kLeastFacing - faced / sum);
+    const double floor = std::max(0.0, kMinFacing - faced / sum);
     double total = 0;
     for (std::size_t k = first; k < weights.size(); ++k) {
         raw[k] *= std::max(0.0, facing[k]) + floor;

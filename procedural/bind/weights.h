@@ -29,7 +29,7 @@ enum class WeightSource {
 
 /// The mean facing of a child's guides below which its weights begin to go over to those
 /// by distance alone.
-inline constexpr double kLeastFacing = 0.05;
+inline constexpr double kMinFacing = 0.05;
 
 /// Weights of a child's nearest guides [TW99, Sec. 4.3 and Eq. 49]:
 ///     w_k ~ e_k f(|x - x_k|) (S.T_k) H(S.T_k),   f(d) = ((1/d - 1/reach)+)^a,
@@ -39,8 +39,8 @@ inline constexpr double kLeastFacing = 0.05;
 /// guide has all the weight.
 ///
 /// Where no guide faces, the paper's weights are 0 / 0, and which guide was the last to
-/// face depends on the way there: so the facing factor is (S.T)+ + (kLeastFacing - F)+, F
-/// the mean of (S.T)+ by distance. Weights are the paper's own where F is kLeastFacing or
+/// face depends on the way there: so the facing factor is (S.T)+ + (kMinFacing - F)+, F
+/// the mean of (S.T)+ by distance. Weights are the paper's own where F is kMinFacing or
 /// more, by distance alone where F is 0, and continuous between.
 ///
 /// Weights sum to 1, or are all 0 where the source is none.

@@ -23,11 +23,11 @@ Turn<T> turn_of_spine(const Vec3T<T>& from, const Vec3T<T>& to) {
 template <class T>
 Vec3T<T> tilt_speed(const Vec3T<T>& spine, T advance) {
     constexpr T kSoft = T(0.05);   // of a straight strand, which has no tilt to change
-    constexpr T kMost = T(0.33);   // a tilt half changes by a factor of 1.4 at most
+    constexpr T kMax = T(0.33);    // a tilt half changes by a factor of 1.4 at most
     constexpr T kShort = T(0.05);  // of a spine too short to have a direction
     const T own = std::min<T>(spine.norm(), 1);
     const T speed =
-        std::clamp<T>((advance - own) / (1 - advance * own + kSoft), -kMost, kMost);
+        std::clamp<T>((advance - own) / (1 - advance * own + kSoft), -kMax, kMax);
     return spine * (speed / std::sqrt(own * own + kShort * kShort));
 }
 

@@ -30,7 +30,7 @@ Ingredients ingredients_of(const Child<double>& child,
 
 }  // namespace
 
-double anchored_motion_bound(const AnchoredTimes& times) {
+double anchored_motion_limit(const AnchoredTimes& times) {
     const Ingredients a = ingredients_of(times.before, times.profiles_before),
                       b = ingredients_of(times.after, times.profiles_after);
     double largest = 0;

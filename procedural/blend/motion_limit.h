@@ -20,6 +20,6 @@ struct AnchoredTimes {
 /// quaternion from spine to spine, no frame of the child turns by more than
 ///     4.9 alpha + 2.4 |dv| + 2 pi |dq| / (|q| + |q'|),
 /// and no place moves by more than twice the length times the largest of these.
-double anchored_motion_bound(const AnchoredTimes& times);
+double anchored_motion_limit(const AnchoredTimes& times);
 
 }  // namespace lancret

@@ -142,7 +142,7 @@ StrandCheck check_strand(const Proof& proof, const std::vector<GuideValue>& valu
                  std::isfinite(length) && std::isfinite(out.orthogonality);
     // No further from its root than it is long, and in the box that a host is told.
     const Vec3 tip = emitted.position(n - 1, 1);
-    out.inside_bound =
+    out.tip_within_reach =
         proof.box.contains(tip) &&
         (tip - root).norm() <= intended * (1 + 1e-4) + proof.root_tolerance;
     out.inside_hull = inside_hull(measured, own_guides, own_weights, values);
@@ -163,7 +163,7 @@ CheckReport check(const Binding& binding, const Guides& guides,
                       bounds(curves).cast<double>()};
     CheckReport report;
     report.tolerances = tolerances;
-    report.hull_is_asked = blend == Blend::option1;
+    report.hull_applies = blend == Blend::option1;
     report.strands.resize(binding.size());
     using Range = tbb::blocked_range<std::size_t>;
     each_class(classed.classes, binding,
@@ -187,7 +187,7 @@ CheckReport check(const Binding& binding, const Guides& guides,
 
 double CheckReport::severity(const StrandCheck& s) const {
     const CheckTolerances& t = tolerances;
-    if (!s.finite || !s.inside_bound || (hull_is_asked && !s.inside_hull)) {
+    if (!s.finite || !s.tip_within_reach || (hull_applies && !s.inside_hull)) {
         return std::numeric_limits<double>::infinity();
     }
     // Nothing off is within a tolerance of nothing.

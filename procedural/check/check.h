@@ -13,9 +13,9 @@ namespace lancret {
 
 /// What was found on one strand.
 struct StrandCheck {
-    std::uint32_t strand = 0;  ///< its id
-    bool finite = true;        ///< every place, frame and control point
-    bool inside_bound = true;  ///< the tip, in the curves' box and within reach
+    std::uint32_t strand = 0;      ///< its id
+    bool finite = true;            ///< every place, frame and control point
+    bool tip_within_reach = true;  ///< the tip, in the curves' box and within reach
     bool inside_hull =
         true;  ///< kappa and tau, between its guides', where no joint is near
     float orthogonality = 0;         ///< max |R^T R - I| over its places
@@ -27,7 +27,7 @@ struct StrandCheck {
 
 struct CheckReport {
     CheckTolerances tolerances;
-    bool hull_is_asked = true;  ///< false for blends that do not work in kappa and tau
+    bool hull_applies = true;  ///< false for blends that do not work in kappa and tau
     std::vector<StrandCheck> strands;  ///< [children], in their order
 
     /// The largest share of a tolerance that `strand` uses; above 1 it fails, infinitely

@@ -87,7 +87,7 @@ ChildMotion child_motion(const Moment& a, const Moment& b, Blend blend, std::siz
     if (const auto bound = amplification_bound(blend)) out.bound = *bound * out.guides;
     if (blend == Blend::detail) {
         const BoundChild<double> from = before.carried(), to = after.carried();
-        out.bound = anchored_motion_bound(
+        out.bound = anchored_motion_limit(
             {from.child(), to.child(), before.profiles(), after.profiles()});
     }
     return out;
@@ -111,9 +111,9 @@ TemporalReport temporal_check(const Moment& a, const Moment& b, Blend blend) {
             out.motion = m;
         }
         if (m.bound) {
-            const double share = m.share_of_bound();
-            out.share_of_bound = std::max(
-                out.share_of_bound,
+            const double share = m.share_of_limit();
+            out.share_of_limit = std::max(
+                out.share_of_limit,
                 std::isnan(share) ? std::numeric_limits<double>::infinity() : share);
         }
         out.largest_child = std::max(out.largest_child, m.child);

@@ -13,7 +13,7 @@ namespace lancret {
 
 /// Guides' motion below this counts as this much, cm: a twentieth of a hair's width. A
 /// child that jumps while its guides rest still shows.
-inline constexpr double kLeastMotion = 5e-4;
+inline constexpr double kMinMotion = 5e-4;
 
 /// The children at one time. The binding is posed there; the profiles are of that time.
 /// `carriers` take out how each child's root is carried along and turned: [children], or
@@ -32,11 +32,11 @@ struct ChildMotion {
                         ///< shortened as the child is
     std::optional<double> bound;  ///< cm, that `child` may not go beyond, from what the
                                   ///< guides do, where the blend has one
-    /// child / guides, guides' motion being at least kLeastMotion.
-    double amplification() const { return child / std::max(guides, kLeastMotion); }
-    /// child / bound, the bound being at least kLeastMotion; 0 without one.
-    double share_of_bound() const {
-        return bound ? child / std::max(*bound, kLeastMotion) : 0;
+    /// child / guides, guides' motion being at least kMinMotion.
+    double amplification() const { return child / std::max(guides, kMinMotion); }
+    /// child / bound, the bound being at least kMinMotion; 0 without one.
+    double share_of_limit() const {
+        return bound ? child / std::max(*bound, kMinMotion) : 0;
     }
 };
 
@@ -49,7 +49,7 @@ struct TemporalReport {
     double amplification = 0;
     std::uint32_t child = 0;    ///< whose that is, the first such
     ChildMotion motion;         ///< of that child
-    double share_of_bound = 0;  ///< the largest of all children's; above 1 one jumps
+    double share_of_limit = 0;  ///< the largest of all children's; above 1 one jumps
     double largest_child = 0;   ///< cm, of all children
     double largest_guides = 0;  ///< cm, of all children's guides
 };

@@ -13,7 +13,7 @@ namespace lancret {
 
 namespace {
 
-constexpr int kPlacesASegment = 4;
+constexpr int kPlacesPerSegment = 4;
 
 /// The radius at t of a segment, linear there.
 double radius_at(const EmittedStrand& strand, std::size_t segment, double t) {
@@ -28,8 +28,8 @@ double radius_at(const EmittedStrand& strand, std::size_t segment, double t) {
 Eigen::AlignedBox3d seen_box(const EmittedStrand& strand) {
     Eigen::AlignedBox3d out;
     for (std::size_t j = 0; j < strand.segments(); ++j) {
-        for (int q = 0; q <= kPlacesASegment; ++q) {
-            const double t = double(q) / kPlacesASegment;
+        for (int q = 0; q <= kPlacesPerSegment; ++q) {
+            const double t = double(q) / kPlacesPerSegment;
             const Vec3 p = strand.position(j, t),
                        radius = Vec3::Constant(radius_at(strand, j, t));
             out.extend(p - radius).extend(p + radius);
@@ -54,8 +54,7 @@ Found check_chunk(const Binding& binding, const ClassedGuides& guides,
                   std::span<const std::uint32_t> children) {
     Found out;
     const Binding own = picked(binding, children);
-    const Eigen::AlignedBox3d box =
-        chunk_bound(own, guides, settings).box().cast<double>();
+    const Eigen::AlignedBox3d box = chunk_box(own, guides, settings).box().cast<double>();
     Curves alone;
     expand(own, guides, settings, alone);
     Eigen::AlignedBox3d seen;
@@ -111,7 +110,7 @@ std::string chunks_line(const ChunkCheck& check) {
     return fmt::format(
         "chunks: {} of up to {} strands; outside their box {}, unlike the whole {}; box "
         "over what is seen, by volume {:.3f}, at most {:.3f}",
-        check.chunks, kStrandsAChunk, check.outside, check.unlike, check.mean_ratio,
+        check.chunks, kStrandsPerChunk, check.outside, check.unlike, check.mean_ratio,
         check.largest_ratio);
 }
 

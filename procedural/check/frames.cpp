@@ -46,7 +46,7 @@ double tolerance_of(const GuideFigure& figure, const CheckTolerances& tolerances
 
 bool is_asked(const GuideFigure& figure, const FramesReport& report) {
     return figure.value != &GuideCheck::root_distance ||
-           report.frames[0].guides.root_is_asked;
+           report.frames[0].guides.root_applies;
 }
 
 /// The size of a strand's figure; a NaN is as large as can be.
@@ -73,7 +73,7 @@ void add_step(FramesReport& report, double from, double to,
     // Places of some 1e2 cm round by 1e-14 of that in doubles, some 1e2 times over; the
     // guides' motion is at least 5e-4 cm.
     constexpr double kRounding = 1e-6;
-    const bool pass = motion.share_of_bound <= 1 + kRounding;
+    const bool pass = motion.share_of_limit <= 1 + kRounding;
     report.steps.push_back({from, to, motion, motion.motion.bound.has_value(), pass});
 }
 
@@ -87,7 +87,7 @@ void add_frame(FramesReport& report, double frame, CheckReport children,
         out.severity = std::max(out.severity, severity);
         out.failed += severity > 1;
         out.outside_hull += !s.inside_hull;
-        out.outside_bound += !s.inside_bound;
+        out.outside_bound += !s.tip_within_reach;
         out.non_finite += !s.finite;
         for (const Figure& figure : kFigures) {
             float& largest = out.largest.*figure.value;
@@ -116,7 +116,7 @@ std::string steps_table(const FramesReport& report) {
     if (report.steps.empty()) return {};
     const StepCheck& worst = worst_step(report);
     const StepCheck& tightest = *std::ranges::max_element(
-        report.steps, {}, [](const StepCheck& s) { return s.motion.share_of_bound; });
+        report.steps, {}, [](const StepCheck& s) { return s.motion.share_of_limit; });
     const ChildMotion& motion = worst.motion.motion;
     std::string out =
         fmt::format("{:32} {:10.3f} {:>8} {:>10}\n", "child's step over its guides'",
@@ -124,9 +124,9 @@ std::string steps_table(const FramesReport& report) {
     out += fmt::format(
         "  child {} from frame {} to {}: {:.4f} cm, its guides {:.4f} cm\n",
         worst.motion.child, worst.from, worst.to, motion.child, motion.guides);
-    if (tightest.bounded) {
+    if (tightest.has_limit) {
         out += fmt::format("{:32} {:10.3f} {:>8} {:>10.2e}{}\n",
-                           "child's step over its bound", tightest.motion.share_of_bound,
+                           "child's step over its bound", tightest.motion.share_of_limit,
                            tightest.to, 1.0, tightest.pass ? "" : "  <-- above");
     }
     return out;
@@ -141,8 +141,8 @@ nlohmann::json step_json(const StepCheck& step) {
             {"guides_cm", number_json(step.motion.motion.guides)},
             {"largest_child_cm", number_json(step.motion.largest_child)},
             {"largest_guides_cm", number_json(step.motion.largest_guides)},
-            {"share_of_bound", step.bounded ? number_json(step.motion.share_of_bound)
-                                            : nlohmann::json(nullptr)},
+            {"share_of_limit", step.has_limit ? number_json(step.motion.share_of_limit)
+                                              : nlohmann::json(nullptr)},
             {"pass", step.pass}};
 }
 
@@ -241,10 +241,10 @@ nlohmann::json frames_json(const FramesReport& report) {
         nlohmann::json& temporal = out["temporal"] = step_json(worst_step(report));
         double share = 0;
         for (const StepCheck& step : report.steps) {
-            share = std::max(share, step.motion.share_of_bound);
+            share = std::max(share, step.motion.share_of_limit);
         }
-        temporal["share_of_bound"] =
-            worst_step(report).bounded ? number_json(share) : nlohmann::json(nullptr);
+        temporal["share_of_limit"] =
+            worst_step(report).has_limit ? number_json(share) : nlohmann::json(nullptr);
         for (const StepCheck& step : report.steps) {
             temporal["steps"].push_back(step_json(step));
         }

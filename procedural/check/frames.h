@@ -26,8 +26,8 @@ struct FrameCheck {
 struct StepCheck {
     double from = 0, to = 0;  ///< frames
     TemporalReport motion;
-    bool bounded = false;  ///< children of this blend have a bound
-    bool pass = true;      ///< and keep it
+    bool has_limit = false;  ///< children of this blend have a bound
+    bool pass = true;        ///< and keep it
 };
 
 /// What was found in all frames. Every strand's findings are kept of one frame alone.
@@ -56,7 +56,7 @@ std::string frames_table(const FramesReport& report);
 /// {pass, frames: [{frame, pass, failed, orthogonality.{max}, length.{...}, ...,
 /// guides.{orthogonality, length_change, root_cm, root_guide, finite}}],
 /// worst_over_frames: {orthogonality.{max, frame, tolerance}, ..., guides.{...}},
-/// worst_frame, temporal: {amplification, share_of_bound, child, from, to, child_cm,
+/// worst_frame, temporal: {amplification, share_of_limit, child, from, to, child_cm,
 /// guides_cm, largest_child_cm, largest_guides_cm, steps: [{from, to, amplification,
 /// ...}]}}; temporal only where there are steps
 nlohmann::json frames_json(const FramesReport& report);

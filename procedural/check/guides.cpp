@@ -38,7 +38,7 @@ GuideCheck check_guides(const Guides& now, const Guides& rest,
 bool passes(const GuideCheck& check, const CheckTolerances& tolerances) {
     return check.finite && check.orthogonality <= tolerances.orthogonality &&
            check.length_change == 0 &&
-           (!check.root_is_asked || check.root_distance <= tolerances.root);
+           (!check.root_applies || check.root_distance <= tolerances.root);
 }
 
 }  // namespace lancret

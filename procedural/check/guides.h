@@ -14,7 +14,7 @@ struct GuideCheck {
     double length_change = 0;      ///< relative, of any segment since rest, at most
     double root_distance = 0;      ///< cm, of a root from its place on the scalp, at most
     std::uint32_t worst_root = 0;  ///< the guide that this is
-    bool root_is_asked = true;     ///< false where guides may have stood off the scalp
+    bool root_applies = true;      ///< false where guides may have stood off the scalp
 };
 
 /// Compares the guides of one time with those at rest and with where the scalp has their

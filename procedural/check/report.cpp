@@ -75,10 +75,10 @@ std::string check_table(const CheckReport& report) {
     }
     const auto outside_hull = count_of(report, [](auto& s) { return !s.inside_hull; });
     out += fmt::format("kappa and tau outside the guides' hull: {}{}\n", outside_hull,
-                       report.hull_is_asked ? "" : " (not asked of this blend)");
+                       report.hull_applies ? "" : " (not asked of this blend)");
     out += fmt::format("not finite: {}    tip outside the bound: {}\n",
                        count_of(report, [](auto& s) { return !s.finite; }),
-                       count_of(report, [](auto& s) { return !s.inside_bound; }));
+                       count_of(report, [](auto& s) { return !s.tip_within_reach; }));
 
     out += "\nrelative length error, strands\n";
     const auto bins = length_histogram(report);
@@ -121,9 +121,9 @@ nlohmann::json check_json(const CheckReport& report) {
                            {"tolerance", report.tolerances.*figure.tolerance}};
     }
     out["hull"] = {{"outside", count_of(report, [](auto& s) { return !s.inside_hull; })},
-                   {"asked", report.hull_is_asked}};
+                   {"asked", report.hull_applies}};
     out["non_finite"] = count_of(report, [](auto& s) { return !s.finite; });
-    out["outside_bound"] = count_of(report, [](auto& s) { return !s.inside_bound; });
+    out["outside_bound"] = count_of(report, [](auto& s) { return !s.tip_within_reach; });
     out["length"]["histogram"] = length_histogram(report);
     out["worst"] = nlohmann::json::array();
     for (const StrandCheck& s : report.worst(kWorst)) {

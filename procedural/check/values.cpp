@@ -16,8 +16,8 @@ namespace {
 using States = std::span<const HelixState<float>>;
 
 float finite(double value) {
-    constexpr float kMost = std::numeric_limits<float>::max();
-    return std::isfinite(value) ? float(std::clamp<double>(value, -kMost, kMost)) : kMost;
+    constexpr float kMax = std::numeric_limits<float>::max();
+    return std::isfinite(value) ? float(std::clamp<double>(value, -kMax, kMax)) : kMax;
 }
 
 /// Values of every child from its places, at its class: figure(states, j).

@@ -112,26 +112,26 @@ Eigen::AlignedBox3d box_of(const Binding& chunk, std::size_t first, std::size_t 
 
 }  // namespace
 
-Eigen::AlignedBox3f ChunkBound::box() const {
+Eigen::AlignedBox3f ChunkBox::box() const {
     if (places.isEmpty()) return places;
     return {places.min().array() - radius, places.max().array() + radius};
 }
 
-ChunkBound& ChunkBound::extend(const ChunkBound& other) {
+ChunkBox& ChunkBox::extend(const ChunkBox& other) {
     places.extend(other.places);
     radius = std::max(radius, other.radius);
     return *this;
 }
 
-ChunkBound chunk_bound(const Binding& chunk, const ClassedGuides& guides,
-                       const ExpandSettings& settings) {
+ChunkBox chunk_box(const Binding& chunk, const ClassedGuides& guides,
+                   const ExpandSettings& settings) {
     Eigen::AlignedBox3d box;
     each_class(guides.classes, chunk,
                [&](std::size_t c, std::size_t first, std::size_t last) {
                    box.extend(box_of(chunk, first, last, guides.profiles[c],
                                      guides.kernel(c), settings));
                });
-    ChunkBound out;
+    ChunkBox out;
     if (box.isEmpty()) return out;
     float width = 0;
     for (std::size_t i = 0; i < chunk.size(); ++i) {
@@ -149,9 +149,9 @@ ChunkBound chunk_bound(const Binding& chunk, const ClassedGuides& guides,
     return out;
 }
 
-ChunkBound reach_bound(const Eigen::AlignedBox3f& roots, float longest, int n,
-                       const ExpandSettings& settings, double density) {
-    ChunkBound out;
+ChunkBox reach_box(const Eigen::AlignedBox3f& roots, float longest, int n,
+                   const ExpandSettings& settings, double density) {
+    ChunkBox out;
     if (roots.isEmpty()) return out;
     // A thousandth more, for round-off, and what a float cannot tell of places this far
     // from the origin.

@@ -11,8 +11,8 @@ namespace lancret {
 
 /// What stays between chunks: 16 bytes a child on a scalp.
 struct ChunkedGroom {
-    Generator generator;  ///< of which only a sample of the children is bound
-    RootPlaces places;    ///< of all children, by id
+    ReadyGroom ready;   ///< of which only a sample of the children is bound
+    RootPlaces places;  ///< of all children, by id
     Chunks chunks;
 
     std::size_t bytes() const { return places.bytes() + chunks.bytes(); }
@@ -20,15 +20,16 @@ struct ChunkedGroom {
 
 /// Loads, chooses and fits guides, says where children stand and cuts them into chunks of
 /// at most `most` strands. Throws InputError.
-ChunkedGroom make_chunked_groom(const Groom& groom, std::uint32_t most = kStrandsAChunk,
+ChunkedGroom make_chunked_groom(const GroomSettings& groom,
+                                std::uint32_t most = kStrandsPerChunk,
                                 const StageCallback& stage = {});
 
 /// Where a child stands at rest, cm.
 Vec3f place_of(const ChunkedGroom& groom, std::uint32_t child);
 
 /// The children of a chunk, bound, in the order of `classes`; of fewer than all where
-/// `density` is below 1. Bit for bit those of make_generator. For another time pose it by
-/// pose_binding and take the profiles of that time.
+/// `density` is below 1. Bit for bit those of make_ready_groom. For another time pose it
+/// by pose_binding and take the profiles of that time.
 Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk, double density,
                    const StrandClasses& classes);
 
@@ -38,7 +39,7 @@ Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk);
 /// The strands of a chunk, at rest, at the groom's own density.
 Curves expand_chunk(const ChunkedGroom& groom, std::size_t chunk);
 
-/// A box that holds the chunk at rest, known without binding it; see reach_bound.
-ChunkBound reach_of_chunk(const ChunkedGroom& groom, std::size_t chunk);
+/// A box that holds the chunk at rest, known without binding it; see reach_box.
+ChunkBox reach_of_chunk(const ChunkedGroom& groom, std::size_t chunk);
 
 }  // namespace lancret

@@ -10,7 +10,7 @@
 
 namespace lancret {
 
-inline constexpr std::uint32_t kStrandsAChunk = 4096;
+inline constexpr std::uint32_t kStrandsPerChunk = 4096;
 
 /// A permutation of the children, cut into chunks.
 struct Chunks {
@@ -30,6 +30,6 @@ struct Chunks {
 /// than `most` >= 1: again and again across the longest side of the box of their roots.
 /// The same for any number of threads: children at one place are told apart by their ids.
 Chunks make_chunks(std::size_t count, const std::function<Vec3f(std::uint32_t)>& root,
-                   std::uint32_t most = kStrandsAChunk);
+                   std::uint32_t most = kStrandsPerChunk);
 
 }  // namespace lancret

@@ -16,13 +16,13 @@ namespace lancret {
 namespace {
 
 constexpr double kTurn = 0.5;  ///< radians an interval
-constexpr int kMostIntervals = 512;
+constexpr int kMaxIntervals = 512;
 
 /// Children that are timed, and how often.
 constexpr std::size_t kTimedChildren = 1000;
 constexpr int kTimedRuns = 5;
 
-double seconds_of_run(const LeaveOut& taken, const GuideProfiles<float>& profiles,
+double seconds_of_run(const HoldOut& taken, const GuideProfiles<float>& profiles,
                       Blend blend, std::size_t children,
                       std::vector<HelixState<float>>& states) {
     const std::size_t all = taken.binding.size();
@@ -34,7 +34,7 @@ double seconds_of_run(const LeaveOut& taken, const GuideProfiles<float>& profile
     return watch.lap();
 }
 
-double ns_per_point(const LeaveOut& taken, const GuideProfiles<float>& profiles,
+double ns_per_point(const HoldOut& taken, const GuideProfiles<float>& profiles,
                     Blend blend) {
     const std::size_t children = std::min(taken.binding.size(), kTimedChildren);
     std::vector<HelixState<float>> states(profiles.count + 1);
@@ -54,14 +54,14 @@ int evaluation_intervals(const Guides& guides) {
         turns.push_back(guides.curvatures[i].norm() * guides.segment_lengths[i]);
     }
     const int segments = guides.segments;
-    const double most = std::min(double(kMostIntervals), quantile(turns, 0.99) / kTurn);
+    const double most = std::min(double(kMaxIntervals), quantile(turns, 0.99) / kTurn);
     const int for_turn = std::max(1, int(std::ceil(most)));
     const int for_places = (kCompareSteps + segments - 1) / segments;
-    const int within = std::max(1, kMostIntervals / segments);
+    const int within = std::max(1, kMaxIntervals / segments);
     return segments * std::max(for_places, std::min(for_turn, within));
 }
 
-Prediction predict(const LeaveOut& taken, const GuideProfiles<float>& profiles,
+Prediction predict(const HoldOut& taken, const GuideProfiles<float>& profiles,
                    Blend blend) {
     const std::size_t children = taken.binding.size(), n = profiles.count;
     constexpr std::size_t kPlaces = kCompareSteps + 1;
@@ -108,8 +108,8 @@ Prediction predict(const LeaveOut& taken, const GuideProfiles<float>& profiles,
     return out;
 }
 
-BlendEvaluation evaluate_blend(const LeaveOut& taken,
-                               const GuideProfiles<float>& profiles, Blend blend) {
+BlendEvaluation evaluate_blend(const HoldOut& taken, const GuideProfiles<float>& profiles,
+                               Blend blend) {
     const Prediction made = predict(taken, profiles, blend);
     BlendEvaluation out;
     out.blend = blend;

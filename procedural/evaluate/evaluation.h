@@ -29,13 +29,13 @@ struct Prediction {
 
 /// Synthesises every left-out strand as rendering does. Throws std::runtime_error where a
 /// place is not finite. The same for any number of threads.
-Prediction predict(const LeaveOut& taken, const GuideProfiles<float>& profiles,
+Prediction predict(const HoldOut& taken, const GuideProfiles<float>& profiles,
                    Blend blend);
 
 /// predict, its figures, and what a point costs: the least of several runs over a part of
 /// the children on the calling thread. All but the cost is the same for any number of
 /// threads.
-BlendEvaluation evaluate_blend(const LeaveOut& taken,
-                               const GuideProfiles<float>& profiles, Blend blend);
+BlendEvaluation evaluate_blend(const HoldOut& taken, const GuideProfiles<float>& profiles,
+                               Blend blend);
 
 }  // namespace lancret

@@ -86,7 +86,7 @@ GuideFit guide_fit(const Guides& guides, const std::vector<SampledCurve>& strand
 
 void make_guides(const Strands& strands, const std::vector<SampledCurve>& curves,
                  std::span<const Vec3> tangents, std::optional<int> segments,
-                 LeaveOut& out) {
+                 HoldOut& out) {
     if (segments) {
         out.guides =
             fit_guides(strands, out.guide_strands, tangents, {.segments = *segments})
@@ -96,7 +96,7 @@ void make_guides(const Strands& strands, const std::vector<SampledCurve>& curves
         return;
     }
     for (const int n : kReadSegments) {
-        out.guides = read_guides(strands, out.guide_strands, tangents, n).guides;
+        out.guides = sample_guides(strands, out.guide_strands, tangents, n).guides;
         out.fit = guide_fit(out.guides, curves, out.guide_strands);
         if (out.fit.curvature.w1 <= kFitCurvature && out.fit.rms.p95 <= kFitDistance) {
             return;
@@ -106,8 +106,8 @@ void make_guides(const Strands& strands, const std::vector<SampledCurve>& curves
 
 }  // namespace
 
-LeaveOut leave_out(const Strands& strands, const Scalp* scalp,
-                   const LeaveOutSettings& settings, const std::string& name) {
+HoldOut leave_out(const Strands& strands, const Scalp* scalp,
+                  const LeaveOutSettings& settings, const std::string& name) {
     const std::vector<SampledCurve> curves = sampled(strands);
     std::vector<std::uint32_t> whole;
     std::vector<Vec3> roots;
@@ -123,7 +123,7 @@ LeaveOut leave_out(const Strands& strands, const Scalp* scalp,
             "evaluation needs both: see --guides",
             name, count, whole.size(), whole.size() - std::min(count, whole.size())));
     }
-    LeaveOut out;
+    HoldOut out;
     out.flat_strands = strands.size() - whole.size();
     std::vector<bool> is_guide(whole.size(), false);
     std::vector<Vec3> guide_roots, child_roots;

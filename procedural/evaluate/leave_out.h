@@ -26,14 +26,14 @@ struct LeaveOutSettings {
 
 /// How near the guides come to the strands that they were made of.
 struct GuideFit {
-    bool fitted = false;  ///< fit_guides rather than read_guides
+    bool fitted = false;  ///< fit_guides rather than sample_guides
     Spread rms;           ///< over length
     DistributionFigures curvature;
 };
 
 /// A groom taken apart. Of a left-out strand nothing but its root's position is in
 /// `guides` and `binding`, not its direction nor its length.
-struct LeaveOut {
+struct HoldOut {
     std::vector<std::uint32_t> guide_strands;  ///< [guides] in the groom's numbers
     std::vector<std::uint32_t> child_strands;  ///< [children], ascending
     Guides guides;
@@ -50,7 +50,7 @@ struct LeaveOut {
 /// turned from guide to child, and facing has no say. Throws InputError, beginning with
 /// `name`, where there is no guide or nothing is left out. The same for any number of
 /// threads.
-LeaveOut leave_out(const Strands& strands, const Scalp* scalp,
-                   const LeaveOutSettings& settings, const std::string& name);
+HoldOut leave_out(const Strands& strands, const Scalp* scalp,
+                  const LeaveOutSettings& settings, const std::string& name);
 
 }  // namespace lancret

@@ -23,7 +23,7 @@ nlohmann::json distribution_json(const DistributionFigures& figures) {
 
 }  // namespace
 
-std::string evaluation_table(const EvaluationReport& report, const LeaveOut& taken) {
+std::string evaluation_table(const EvaluationReport& report, const HoldOut& taken) {
     std::string out =
         fmt::format("{}: {} guides predict {} strands at their own roots\n", report.groom,
                     taken.guides.size(), taken.binding.size());
@@ -62,7 +62,7 @@ std::string evaluation_table(const EvaluationReport& report, const LeaveOut& tak
     return out;
 }
 
-nlohmann::json evaluation_json(const EvaluationReport& report, const LeaveOut& taken) {
+nlohmann::json evaluation_json(const EvaluationReport& report, const HoldOut& taken) {
     nlohmann::json out = {
         {"groom", report.groom},
         {"seed", report.seed},

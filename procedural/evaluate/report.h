@@ -22,13 +22,13 @@ struct EvaluationSubject {
 
 /// A dense groom's strands, wound into curls where it is asked for; what is worth telling
 /// is added to `warnings`. Throws InputError.
-EvaluationSubject load_subject(const Groom& groom,
+EvaluationSubject load_subject(const GroomSettings& groom,
                                const std::optional<CurlSettings>& curl,
                                std::vector<std::string>& warnings);
 
 /// leave_out of a groom's subject; guides are fitted as `segments` helices, or read.
 /// Throws InputError.
-LeaveOut take_apart(const Groom& groom, const EvaluationSubject& subject,
+HoldOut split_groom(const GroomSettings& groom, const EvaluationSubject& subject,
                     std::optional<int> segments);
 
 /// Everything that a report says.
@@ -41,11 +41,11 @@ struct EvaluationReport {
 };
 
 /// What the blends were given: a few lines, and a table with a row a blend.
-std::string evaluation_table(const EvaluationReport& report, const LeaveOut& taken);
+std::string evaluation_table(const EvaluationReport& report, const HoldOut& taken);
 
 /// {groom, seed, curl, strands, guides, segments, intervals, fit, bind,
 /// default, blends.NAME.{rms_over_length, place, tip_distance, length_error, curvature,
 /// torsion, ns_per_point}}.
-nlohmann::json evaluation_json(const EvaluationReport& report, const LeaveOut& taken);
+nlohmann::json evaluation_json(const EvaluationReport& report, const HoldOut& taken);
 
 }  // namespace lancret

@@ -6,7 +6,7 @@
 
 namespace lancret {
 
-EvaluationSubject load_subject(const Groom& groom,
+EvaluationSubject load_subject(const GroomSettings& groom,
                                const std::optional<CurlSettings>& curl,
                                std::vector<std::string>& warnings) {
     if (!groom.guides_file.empty() || groom.strands_file.extension() == ".h5") {
@@ -33,7 +33,7 @@ EvaluationSubject load_subject(const Groom& groom,
     return out;
 }
 
-LeaveOut take_apart(const Groom& groom, const EvaluationSubject& subject,
+HoldOut split_groom(const GroomSettings& groom, const EvaluationSubject& subject,
                     std::optional<int> segments) {
     const Partings partings(subject.partings);
     return leave_out(subject.strands, subject.scalp ? &*subject.scalp : nullptr,

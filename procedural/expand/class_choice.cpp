@@ -15,10 +15,10 @@ namespace {
 /// Of the tolerance, for the sample: the other children hold a few that are worse.
 constexpr double kSampleShare = 0.6;
 /// Half of what the check lets an emitted curve's length be off by.
-constexpr float kMostLengthChange = 0.005f;
+constexpr float kMaxLengthChange = 0.005f;
 /// Radians that an interval may turn, as in intervals_within.
-constexpr float kMostTurn = 2;
-constexpr int kMostMultiples = 16;
+constexpr float kMaxTurn = 2;
+constexpr int kMaxMultiples = 16;
 /// A guide of this weight leads other children much like the one that is measured.
 constexpr float kNearlyLeads = 0.25f;
 
@@ -27,7 +27,7 @@ std::vector<int> class_counts(int finest, int segments) {
     std::vector<int> out{finest};
     const int multiples = (finest - 1) / segments;
     const int step =
-        segments * std::max(1, (multiples + kMostMultiples - 1) / kMostMultiples);
+        segments * std::max(1, (multiples + kMaxMultiples - 1) / kMaxMultiples);
     for (int n = (finest - 1) / step * step; n >= segments; n -= step) out.push_back(n);
     for (int n = segments; n > 1 && out.back() > 1;) {
         n /= 2;
@@ -173,11 +173,11 @@ std::size_t class_of(const Binding& binding, std::span<const std::uint32_t> chil
         if (at == 0) break;
         grow_fine(binding, measures.profiles[0], settings.blend, child, fine);
         const auto keeps = [&](std::size_t c) {
-            if (!(measures.turn(binding, child, c) <= kMostTurn)) return false;
+            if (!(measures.turn(binding, child, c) <= kMaxTurn)) return false;
             const Change change = change_of(fine, binding, measures.profiles[c], child,
                                             settings, limit, room);
             return change.distance <= limit &&
-                   std::abs(change.length) <= kMostLengthChange;
+                   std::abs(change.length) <= kMaxLengthChange;
         };
         if (keeps(at)) continue;
         // The last that was seen to keep it, and the first that was not.

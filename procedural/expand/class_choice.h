@@ -7,7 +7,7 @@
 
 namespace lancret {
 
-/// Every count that strands may have, at most kMostClasses: `finest`, multiples of the
+/// Every count that strands may have, at most kMaxClasses: `finest`, multiples of the
 /// guides' segments, on which profiles are exact, then halves of these down to 1. Every
 /// guide has the coarsest, to be refined.
 StrandClasses coarsest_classes(const Guides& guides, int finest);

@@ -22,10 +22,10 @@ constexpr double kSampleShare = 0.6;
 
 /// Radians that an interval may turn: below half a turn, so that a strand can be told
 /// from its places and frames.
-constexpr double kMostTurn = 2;
+constexpr double kMaxTurn = 2;
 
 /// Radians that a segment may turn at all.
-constexpr double kMostTurnOfSegment = 1000;
+constexpr double kMaxTurnOfSegment = 1000;
 
 }  // namespace
 
@@ -148,14 +148,14 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
     }
     turn *= std::max(1.0, length_over_guides(binding, guides));
     // Also keeps the count of intervals far from what an int can hold.
-    if (!(turn <= kMostTurnOfSegment)) {
+    if (!(turn <= kMaxTurnOfSegment)) {
         throw InputError(
             fmt::format("a segment turns by {:.3g} radian, more than any hair ({}): fit "
                         "more segments "
                         "or take a smaller length_scale",
-                        turn, kMostTurnOfSegment));
+                        turn, kMaxTurnOfSegment));
     }
-    int n = guides.segments * std::max(1, int(std::ceil(turn / kMostTurn)));
+    int n = guides.segments * std::max(1, int(std::ceil(turn / kMaxTurn)));
     const std::size_t sample = std::min(binding.size(), kSampledChildren);
     const double aim = kSampleShare * tolerance;
     Farthest farthest;
@@ -179,8 +179,8 @@ int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
         // grooms need by themselves a sixteenth more or less is no matter.
         const double more = basis == CurveBasis::linear
                                 ? n * (std::sqrt(farthest.distance / aim) - 1)
-                            : n < kMostIntervals ? 0
-                                                 : n / 16;
+                            : n < kMaxIntervals ? 0
+                                                : n / 16;
         const auto segments = [&](double count) {
             return guides.segments * std::max(1, int(std::ceil(count / guides.segments)));
         };

@@ -26,16 +26,16 @@ double emission_distance(std::span<const HelixState<float>> states, float ds,
                          CurveBasis basis, Ends ends = Ends::helix);
 
 /// Where the search for a groom's own intervals ends.
-inline constexpr int kMostIntervals = 128;
+inline constexpr int kMaxIntervals = 128;
 
 /// The number of intervals a strand, a multiple of the guides' segments, at which emitted
 /// curves stay within `tolerance` cm of the strands, and no interval of a guide turns by
 /// more than 2 radians; the first gives way beyond `most`. Measured on the first
 /// kSampledChildren, which must keep 0.6 of the tolerance; `check` measures all. Beyond
-/// kMostIntervals it may be a sixteenth more than it takes. `reached`, where it is not
+/// kMaxIntervals it may be a sixteenth more than it takes. `reached`, where it is not
 /// null, becomes the farthest of the sample, cm.
 int intervals_within(const Binding& binding, const Guides& guides, Blend blend,
-                     double tolerance, CurveBasis basis, int most = kMostIntervals,
+                     double tolerance, CurveBasis basis, int most = kMaxIntervals,
                      double* reached = nullptr);
 
 }  // namespace lancret

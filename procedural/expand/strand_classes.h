@@ -10,12 +10,12 @@
 
 namespace lancret {
 
-inline constexpr std::size_t kMostClasses = 32;
+inline constexpr std::size_t kMaxClasses = 32;
 
 /// Classes are chosen by guide, before any child is grown: a child has that of its
 /// heaviest guide, in every chunk and at every density.
 struct StrandClasses {
-    std::vector<int> counts;  ///< [classes <= kMostClasses], intervals a strand, finest
+    std::vector<int> counts;  ///< [classes <= kMaxClasses], intervals a strand, finest
                               ///< first, each once
     std::vector<std::uint8_t> of_guide{};  ///< [guides]; or empty: all have the first
 

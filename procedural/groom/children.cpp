@@ -16,13 +16,13 @@ namespace lancret {
 
 namespace {
 
-const Scalp* scalp_of(const GroomGuides& source) {
+const Scalp* scalp_of(const PlacedGuides& source) {
     return source.scalp ? &*source.scalp : nullptr;
 }
 
 }  // namespace
 
-RootPlaces child_places(const Groom& groom, const GroomGuides& source) {
+RootPlaces child_places(const GroomSettings& groom, const PlacedGuides& source) {
     RootPlaces out;
     const std::uint32_t count =
         child_count(groom, source.scalp.has_value(), source.grown_roots.size());
@@ -49,12 +49,12 @@ RootPlaces child_places(const Groom& groom, const GroomGuides& source) {
     return out;
 }
 
-Roots child_roots(const GroomGuides& source, const RootPlaces& places,
+Roots child_roots(const PlacedGuides& source, const RootPlaces& places,
                   std::span<const std::uint32_t> ids) {
     return roots_at(scalp_of(source), places, ids);
 }
 
-Roots pruned_roots(const Groom& groom, const GroomGuides& source,
+Roots pruned_roots(const GroomSettings& groom, const PlacedGuides& source,
                    const RootPlaces& places, std::span<const std::uint32_t> ids,
                    double density) {
     if (density == 1) return child_roots(source, places, ids);
@@ -65,7 +65,8 @@ Roots pruned_roots(const Groom& groom, const GroomGuides& source,
     return out;
 }
 
-Binding bind_children(const Groom& groom, const GroomGuides& source, Roots roots) {
+Binding bind_children(const GroomSettings& groom, const PlacedGuides& source,
+                      Roots roots) {
     BindBorders borders;
     borders.guide_regions = source.guide_regions;
     borders.child_regions = child_regions(source.regions, source.grown_roots, roots);
@@ -75,14 +76,14 @@ Binding bind_children(const Groom& groom, const GroomGuides& source, Roots roots
                          groom.bind, borders);
 }
 
-Binding sample_of_children(const Groom& groom, const GroomGuides& source,
+Binding sample_of_children(const GroomSettings& groom, const PlacedGuides& source,
                            const RootPlaces& places) {
     std::vector<std::uint32_t> ids(std::min(places.size(), kSampledChildren));
     std::iota(ids.begin(), ids.end(), 0u);
     return bind_children(groom, source, child_roots(source, places, ids));
 }
 
-int child_intervals(const Groom& groom, const GroomGuides& source,
+int child_intervals(const GroomSettings& groom, const PlacedGuides& source,
                     const Binding& sample) {
     if (groom.intervals) return *groom.intervals;
     try {
@@ -93,7 +94,7 @@ int child_intervals(const Groom& groom, const GroomGuides& source,
     }
 }
 
-StrandClasses child_classes(const Groom& groom, const GroomGuides& source,
+StrandClasses child_classes(const GroomSettings& groom, const PlacedGuides& source,
                             const Binding& sample, int finest) {
     if (!groom.adapts()) return {{finest}};
     StrandClasses all = coarsest_classes(source.guides, finest);

@@ -8,33 +8,35 @@
 namespace lancret {
 
 /// Where all of a groom's children stand, whatever its density. Throws InputError.
-RootPlaces child_places(const Groom& groom, const GroomGuides& source);
+RootPlaces child_places(const GroomSettings& groom, const PlacedGuides& source);
 
 /// The roots of some children; `ids` ascend.
-Roots child_roots(const GroomGuides& source, const RootPlaces& places,
+Roots child_roots(const PlacedGuides& source, const RootPlaces& places,
                   std::span<const std::uint32_t> ids);
 
 /// Those of `ids` that are grown at a density, with their widths.
-Roots pruned_roots(const Groom& groom, const GroomGuides& source,
+Roots pruned_roots(const GroomSettings& groom, const PlacedGuides& source,
                    const RootPlaces& places, std::span<const std::uint32_t> ids,
                    double density);
 
 /// Binds any of a groom's children: which others are bound at the same time changes
 /// nothing.
-Binding bind_children(const Groom& groom, const GroomGuides& source, Roots roots);
+Binding bind_children(const GroomSettings& groom, const PlacedGuides& source,
+                      Roots roots);
 
 /// The first children, all of them whatever the density: what says how many intervals
 /// strands are cut into, so that no chunk and no density changes that.
-Binding sample_of_children(const Groom& groom, const GroomGuides& source,
+Binding sample_of_children(const GroomSettings& groom, const PlacedGuides& source,
                            const RootPlaces& places);
 
 /// The number of intervals a strand, as the groom says or its tolerance asks. Throws
 /// InputError.
-int child_intervals(const Groom& groom, const GroomGuides& source, const Binding& sample);
+int child_intervals(const GroomSettings& groom, const PlacedGuides& source,
+                    const Binding& sample);
 
 /// How finely the children of each guide are cut, of at most `finest` intervals: all
 /// alike where the groom does not adapt.
-StrandClasses child_classes(const Groom& groom, const GroomGuides& source,
+StrandClasses child_classes(const GroomSettings& groom, const PlacedGuides& source,
                             const Binding& sample, int finest);
 
 }  // namespace lancret

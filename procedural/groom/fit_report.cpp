@@ -8,7 +8,7 @@
 
 namespace lancret {
 
-nlohmann::json fit_json(const GroomGuides& source) {
+nlohmann::json fit_json(const PlacedGuides& source) {
     std::vector<double> rms;
     for (const FitReport& fit : source.fits) rms.push_back(fit.rms / fit.length);
     return {
@@ -24,7 +24,7 @@ nlohmann::json fit_json(const GroomGuides& source) {
     };
 }
 
-std::string roots_line(const GroomGuides& source) {
+std::string roots_line(const PlacedGuides& source) {
     if (source.snapped_roots == 0) return {};
     return fmt::format(
         "{} of {} guide roots were off the scalp and were put on it; the farthest moved "

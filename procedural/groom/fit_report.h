@@ -9,9 +9,9 @@ namespace lancret {
 
 /// {groom_strands, guides, segments, fit.{rms_over_length_median, _p95, _max},
 /// roots.{snapped, largest_snap_cm}}.
-nlohmann::json fit_json(const GroomGuides& source);
+nlohmann::json fit_json(const PlacedGuides& source);
 
 /// What is worth telling of the guides' roots; empty where there is nothing.
-std::string roots_line(const GroomGuides& source);
+std::string roots_line(const PlacedGuides& source);
 
 }  // namespace lancret

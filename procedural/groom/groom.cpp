@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kDefaultGuides = 500;
 constexpr std::uint32_t kDefaultChildren = 50000;
-constexpr std::int64_t kMostStrands = 100'000'000;
+constexpr std::int64_t kMaxStrands = 100'000'000;
 constexpr std::string_view kAxes[] = {"X", "Y", "Z"};
 constexpr std::string_view kBases[] = {"catmull-rom", "bspline"};
 constexpr std::string_view kCurveBases[] = {"bspline", "hermite"};
@@ -56,7 +56,7 @@ void read_made(const TomlTable& made, MadeGroomSettings& out) {
     set(out.length_spread, made.number("length_spread", 0, 0.9));
 }
 
-void read_guides(const TomlTable& guides, Groom& out) {
+void read_guides_table(const TomlTable& guides, GroomSettings& out) {
     set(out.strands_file, guides.path("file"));
     if (guides.has("file") && guides.has("made")) {
         guides.fail("made", "a groom has either a 'file' or is 'made', not both");
@@ -65,11 +65,11 @@ void read_guides(const TomlTable& guides, Groom& out) {
     if (const auto basis = guides.choice("basis", kBases)) {
         out.basis = *basis == 0 ? Basis::catmull_rom : Basis::bspline;
     }
-    set(out.guides.number, guides.integer("count", 1, kMostStrands));
+    set(out.guides.number, guides.integer("count", 1, kMaxStrands));
     set(out.guides.share, guides.number("share", 0, 1));
     // What a caller says takes the place of what the file says.
-    const bool own_count = guides.is_laid_over("count"),
-               own_share = guides.is_laid_over("share");
+    const bool own_count = guides.is_overridden("count"),
+               own_share = guides.is_overridden("share");
     if (own_count && !own_share) out.guides.share.reset();
     if (own_share && !own_count) out.guides.number.reset();
     if (out.guides.number && out.guides.share) {
@@ -79,10 +79,10 @@ void read_guides(const TomlTable& guides, Groom& out) {
     set(out.fit.fit_root_frame, guides.boolean("fit_root_frame"));
 }
 
-void read_strands(const TomlTable& strands, Groom& out) {
-    set(out.strands, strands.integer("count", 1, kMostStrands));
+void read_strands(const TomlTable& strands, GroomSettings& out) {
+    set(out.strands, strands.integer("count", 1, kMaxStrands));
     set(out.seed, strands.seed("seed"));
-    set(out.density, strands.number("density", kLeastDensity, 1));
+    set(out.density, strands.number("density", kMinDensity, 1));
     std::vector<std::string_view> blends;
     for (const BlendName& entry : kBlendNames) blends.push_back(entry.name);
     if (const auto blend = strands.choice("blend", blends)) {
@@ -112,7 +112,7 @@ void read_strands(const TomlTable& strands, Groom& out) {
     }
 }
 
-void read_borders(const TomlTable& toml, Groom& out) {
+void read_borders(const TomlTable& toml, GroomSettings& out) {
     const TomlTable regions = toml.table("regions");
     set(out.regions.texture, regions.path("texture"));
     set(out.regions.ids, regions.path("ids"));
@@ -147,7 +147,7 @@ std::uint32_t GuideCount::of(std::size_t strands) const {
     return std::min(kDefaultGuides, all);
 }
 
-std::uint32_t child_count(const Groom& groom, bool on_scalp, std::size_t roots) {
+std::uint32_t child_count(const GroomSettings& groom, bool on_scalp, std::size_t roots) {
     return groom.strands.value_or(on_scalp ? kDefaultChildren : std::uint32_t(roots));
 }
 
@@ -166,7 +166,7 @@ GuideCount parse_guide_count(const std::string& text, const std::string& where) 
     const std::string unit = text.substr(used);
     if (used > 0 && unit == "%" && value > 0 && value <= 100) {
         out.share = value / 100;
-    } else if (used > 0 && unit.empty() && value >= 1 && value <= double(kMostStrands) &&
+    } else if (used > 0 && unit.empty() && value >= 1 && value <= double(kMaxStrands) &&
                value == std::floor(value)) {
         out.number = std::uint32_t(value);
     } else {
@@ -177,11 +177,11 @@ GuideCount parse_guide_count(const std::string& text, const std::string& where) 
     return out;
 }
 
-Groom read_groom(const TomlTable& toml, std::string name) {
-    Groom out;
+GroomSettings read_groom(const TomlTable& toml, std::string name) {
+    GroomSettings out;
     out.name = std::move(name);
     read_scene(toml.table("scene"), out.scene);
-    read_guides(toml.table("guides"), out);
+    read_guides_table(toml.table("guides"), out);
     const TomlTable scalp = toml.table("scalp");
     set(out.scalp_file, scalp.path("file"));
     set(out.growth_distance, scalp.number("growth_distance", 1e-3, 1e4));

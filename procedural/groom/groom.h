@@ -39,7 +39,7 @@ struct SceneUnits {
     double centimetres_per_unit() const { return 100 * metres_per_unit; }
 };
 
-struct Groom {
+struct GroomSettings {
     std::string name;  ///< of its file, for messages
     SceneUnits scene;
     std::filesystem::path strands_file;  ///< .hair; empty where the groom is made
@@ -72,10 +72,10 @@ struct Groom {
 
 /// How many children a groom grows: what it says; else 50,000 on a scalp, and without one
 /// a child on each of the groom's own `roots`.
-std::uint32_t child_count(const Groom& groom, bool on_scalp, std::size_t roots);
+std::uint32_t child_count(const GroomSettings& groom, bool on_scalp, std::size_t roots);
 
 /// Reads the tables [scene], [guides], [scalp], [strands], [regions], [[partings]] and
 /// [width]; the other tables of a groom belong to its host, who also finishes the TOML.
-Groom read_groom(const TomlTable& toml, std::string name);
+GroomSettings read_groom(const TomlTable& toml, std::string name);
 
 }  // namespace lancret

@@ -62,7 +62,7 @@ void check_places(const std::vector<Vec3f>& places, const std::string& file) {
 
 }  // namespace
 
-LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
+LoadedGroom load_groom(const GroomSettings& groom, std::vector<std::string>& warnings) {
     LoadedGroom out;
     if (groom.own_strands) {
         out.strands = *groom.own_strands;
@@ -96,7 +96,7 @@ LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings) {
     return out;
 }
 
-std::optional<TriangleMesh> read_scalp_mesh(const Groom& groom) {
+std::optional<TriangleMesh> read_scalp_mesh(const GroomSettings& groom) {
     if (!groom.own_scalp && groom.scalp_file.empty()) return std::nullopt;
     TriangleMesh mesh = groom.own_scalp ? *groom.own_scalp : read_obj(groom.scalp_file);
     const float scale = float(groom.scene.centimetres_per_unit());
@@ -106,7 +106,7 @@ std::optional<TriangleMesh> read_scalp_mesh(const Groom& groom) {
     return mesh;
 }
 
-std::optional<Scalp> load_scalp(const Groom& groom) {
+std::optional<Scalp> load_scalp(const GroomSettings& groom) {
     auto mesh = read_scalp_mesh(groom);
     if (!mesh) return std::nullopt;
     Scalp out = make_scalp(std::move(*mesh));
@@ -121,7 +121,7 @@ std::optional<Scalp> load_scalp(const Groom& groom) {
 namespace {
 
 /// Guides from a cache: they are the groom.
-void take_cached(const Groom& groom, GroomGuides& out) {
+void take_cached(const GroomSettings& groom, PlacedGuides& out) {
     out.guides = read_rest_guides(groom.strands_file);
     out.groom_strands = out.guides.size();
     out.grown_roots = out.guides.root_positions;
@@ -142,8 +142,8 @@ std::vector<std::uint32_t> numbers_in_file(std::span<const std::uint32_t> strand
 }
 
 /// Guides chosen from strands and fitted to them.
-void fit_chosen(const Groom& groom, const Strands& strands, const StrandRoots& roots,
-                GroomGuides& out) {
+void fit_chosen(const GroomSettings& groom, const Strands& strands,
+                const StrandRoots& roots, PlacedGuides& out) {
     const std::uint32_t count = groom.guides.of(roots.strands.size());
     auto chosen = farthest_points(roots.positions, count, groom.seed);
     if (const std::size_t more = choose_for_regions(out.regions, roots.positions, chosen);
@@ -171,7 +171,7 @@ void fit_chosen(const Groom& groom, const Strands& strands, const StrandRoots& r
 
 /// Puts the guides' roots on the scalp and takes its normals there; without a scalp, a
 /// guide's own direction is the normal.
-void stand_on_scalp(GroomGuides& out) {
+void stand_on_scalp(PlacedGuides& out) {
     if (!out.scalp) {
         for (const Mat3& frame : out.guides.root_frames) {
             out.normals.push_back(frame.col(0).cast<float>());
@@ -194,7 +194,8 @@ void stand_on_scalp(GroomGuides& out) {
 
 }  // namespace
 
-std::vector<Polyline> groom_partings(const Groom& groom, std::span<const Polyline> made,
+std::vector<Polyline> groom_partings(const GroomSettings& groom,
+                                     std::span<const Polyline> made,
                                      const std::optional<Scalp>& scalp,
                                      std::vector<std::string>& warnings) {
     double farthest = 0;
@@ -210,11 +211,11 @@ std::vector<Polyline> groom_partings(const Groom& groom, std::span<const Polylin
     return out;
 }
 
-GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
+PlacedGuides groom_guides(const GroomSettings& groom, const StageCallback& stage) {
     const auto enter = [&](const char* name) {
         if (stage) stage(name);
     };
-    GroomGuides out;
+    PlacedGuides out;
     Stopwatch watch;
     enter("load");
     out.scalp = load_scalp(groom);
@@ -227,7 +228,7 @@ GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
         out.guide_regions = out.regions.strands;
         out.partings = groom_partings(groom, {}, out.scalp, out.warnings);
         stand_on_scalp(out);
-        out.bound = std::make_shared<BoundGuides>(out.guides, out.guide_regions);
+        out.bound = std::make_shared<GuideLookup>(out.guides, out.guide_regions);
         out.seconds.load = watch.lap();
         return out;
     }
@@ -261,7 +262,7 @@ GroomGuides groom_guides(const Groom& groom, const StageCallback& stage) {
                                        out.guides.root_positions);
     }
     stand_on_scalp(out);
-    out.bound = std::make_shared<BoundGuides>(out.guides, out.guide_regions);
+    out.bound = std::make_shared<GuideLookup>(out.guides, out.guide_regions);
     out.grown_roots = roots.positions;
     out.grown_tangents = roots.tangents;
     out.seconds.fit = watch.lap();

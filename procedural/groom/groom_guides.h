@@ -20,7 +20,7 @@ struct StageSeconds {
 using StageCallback = std::function<void(const char* stage)>;
 
 /// The guides of a groom, at rest, and what they grew out of.
-struct GroomGuides {
+struct PlacedGuides {
     Guides guides;
     std::vector<FitReport> fits;       ///< [guides]; empty where the file held guides
     std::vector<Vec3f> normals;        ///< [guides], of the surface at their roots
@@ -32,7 +32,7 @@ struct GroomGuides {
     std::vector<Vec3> grown_tangents;  ///< there
     Regions regions;                   ///< of the groom's strands
     std::vector<std::uint32_t> guide_regions;  ///< [guides], or empty: all are one
-    std::shared_ptr<const BoundGuides> bound;  ///< the guides as binding reads them
+    std::shared_ptr<const GuideLookup> bound;  ///< the guides as binding reads them
     std::vector<Polyline> partings;            ///< cm, on the scalp where there is one
     StageSeconds seconds;                      ///< load and fit
     std::size_t groom_strands = 0;             ///< in the groom's file
@@ -51,25 +51,26 @@ struct LoadedGroom {
 
 /// Reads or makes a groom's strands; what is worth telling is added to `warnings`. Throws
 /// InputError.
-LoadedGroom load_groom(const Groom& groom, std::vector<std::string>& warnings);
+LoadedGroom load_groom(const GroomSettings& groom, std::vector<std::string>& warnings);
 
 /// The mesh that a groom names as its scalp, or holds, cm; nothing where there is none.
 /// Throws InputError.
-std::optional<TriangleMesh> read_scalp_mesh(const Groom& groom);
+std::optional<TriangleMesh> read_scalp_mesh(const GroomSettings& groom);
 
 /// Reads the mesh that a groom names as its scalp; nothing where it names none. Throws
 /// InputError.
-std::optional<Scalp> load_scalp(const Groom& groom);
+std::optional<Scalp> load_scalp(const GroomSettings& groom);
 
 /// The partings that a groom names, or else those it was `made` with, on its scalp, cm;
 /// what is worth telling is added to `warnings`.
-std::vector<Polyline> groom_partings(const Groom& groom, std::span<const Polyline> made,
+std::vector<Polyline> groom_partings(const GroomSettings& groom,
+                                     std::span<const Polyline> made,
                                      const std::optional<Scalp>& scalp,
                                      std::vector<std::string>& warnings);
 
 /// Loads a groom, chooses its guides by farthest point and fits them. A guide cache (.h5)
 /// is taken as it is, in its rest pose; where it has none, at its first frame. Throws
 /// InputError.
-GroomGuides groom_guides(const Groom& groom, const StageCallback& stage = {});
+PlacedGuides groom_guides(const GroomSettings& groom, const StageCallback& stage = {});
 
 }  // namespace lancret

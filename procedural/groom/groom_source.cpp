@@ -48,13 +48,13 @@ SourcedGroom read_groom_source(const GroomSource& source) {
     TomlTable toml = TomlTable::from_text(text, name, folder);
     for (const GroomParameter& parameter : source.parameters) {
         if (parameter.text) {
-            toml.lay_over(parameter.name, *parameter.text);
+            toml.set_override(parameter.name, *parameter.text);
         } else {
-            toml.lay_over(parameter.name, parameter.number);
+            toml.set_override(parameter.name, parameter.number);
         }
     }
     SourcedGroom out{read_groom(toml, name), {}, std::move(text)};
-    Groom& groom = out.groom;
+    GroomSettings& groom = out.groom;
     out.motion = read_motion(toml.table("motion"), groom.scene.centimetres_per_unit());
     for (const std::string_view key : kOthersTables) toml.leave(key);
     toml.finish();

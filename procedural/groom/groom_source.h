@@ -28,7 +28,7 @@ struct GroomSource {
 };
 
 struct SourcedGroom {
-    Groom groom;
+    GroomSettings groom;
     MotionSettings motion;  ///< of its head
     std::string text;       ///< of the TOML as it was read; empty where there is none
 };

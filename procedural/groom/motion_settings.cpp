@@ -11,7 +11,7 @@ namespace lancret {
 
 namespace {
 
-constexpr double kMostFrame = 1e6, kMostCoordinate = 1e6;
+constexpr double kMaxFrame = 1e6, kMaxCoordinate = 1e6;
 
 template <class T, class U>
 void set(T& to, const std::optional<U>& value) {
@@ -22,9 +22,9 @@ void set(T& to, const std::optional<U>& value) {
 
 std::optional<Vec3> bounded_vector(const TomlTable& table, std::string_view key) {
     const auto value = table.vector(key);
-    if (value && value->cwiseAbs().maxCoeff() > kMostCoordinate) {
+    if (value && value->cwiseAbs().maxCoeff() > kMaxCoordinate) {
         table.fail(key, fmt::format("'{}' must be within {} in each direction", key,
-                                    kMostCoordinate));
+                                    kMaxCoordinate));
     }
     return value;
 }
@@ -33,7 +33,7 @@ void read_motion_keys(const TomlTable& table, MotionSettings& out) {
     set(out.pivot, bounded_vector(table, "pivot"));
     for (const TomlTable& key : table.tables("keys")) {
         PoseKey pose;
-        const auto frame = key.number("frame", -kMostFrame, kMostFrame);
+        const auto frame = key.number("frame", -kMaxFrame, kMaxFrame);
         if (!frame) key.fail("", "a key needs its 'frame'");
         pose.frame = *frame;
         if (!out.keys.empty() && pose.frame < out.keys.back().frame + 1e-6) {
@@ -54,8 +54,8 @@ MotionSettings read_motion(const TomlTable& table, double centimetres_per_unit) 
             table.fail("files", "a head moves by 'keys' or by 'files', not both");
         }
         out.files.pattern = files->string();
-        const auto first = table.integer("first", 0, std::int64_t(kMostFrame));
-        const auto last = table.integer("last", 0, std::int64_t(kMostFrame));
+        const auto first = table.integer("first", 0, std::int64_t(kMaxFrame));
+        const auto last = table.integer("last", 0, std::int64_t(kMaxFrame));
         if (!first || !last || *first > *last) {
             table.fail("files",
                        "needs the frames that there are files for, 'first' and "
@@ -83,7 +83,7 @@ ScalpMotion scalp_motion(const MotionSettings& settings, const TriangleMesh* res
     return make_rigid_path(std::move(keys), settings.pivot, frames_per_second);
 }
 
-ScalpPoseAt head_pose(const MotionSettings& motion, const Groom& groom) {
+ScalpPoseAt head_pose(const MotionSettings& motion, const GroomSettings& groom) {
     if (motion.keys.empty() && motion.files.pattern.empty()) return {};
     std::optional<TriangleMesh> rest;
     if (!motion.files.pattern.empty()) rest = read_scalp_mesh(groom);

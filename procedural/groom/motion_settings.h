@@ -29,6 +29,6 @@ ScalpMotion scalp_motion(const MotionSettings& settings, const TriangleMesh* res
                          double frames_per_second);
 
 /// Where the head is at a frame; nothing where it stands still. Throws InputError.
-ScalpPoseAt head_pose(const MotionSettings& motion, const Groom& groom);
+ScalpPoseAt head_pose(const MotionSettings& motion, const GroomSettings& groom);
 
 }  // namespace lancret

@@ -14,7 +14,8 @@ namespace lancret {
 namespace {
 
 /// The children that the groom's density leaves.
-Roots grown_roots(const Groom& groom, const GroomGuides& source, RootPlaces places) {
+Roots grown_roots(const GroomSettings& groom, const PlacedGuides& source,
+                  RootPlaces places) {
     if (groom.density == 1) {
         return roots_at(source.scalp ? &*source.scalp : nullptr, std::move(places));
     }
@@ -30,18 +31,18 @@ Roots grown_roots(const Groom& groom, const GroomGuides& source, RootPlaces plac
 
 }  // namespace
 
-ClassedGuides rest_guides(const Generator& generator) {
-    return classed_guides(generator.source.guides, generator.classes,
-                          generator.binding.guide_normals, generator.groom.expand.blend);
+ClassedGuides rest_guides(const ReadyGroom& ready) {
+    return classed_guides(ready.source.guides, ready.classes, ready.binding.guide_normals,
+                          ready.groom.expand.blend);
 }
 
-Eigen::AlignedBox3f guide_box(const Generator& generator) {
-    const GuideProfiles<float>& profiles = generator.profiles;
-    const float scale = generator.groom.bind.length_scale;
+Eigen::AlignedBox3f guide_box(const ReadyGroom& ready) {
+    const GuideProfiles<float>& profiles = ready.profiles;
+    const float scale = ready.groom.bind.length_scale;
     Eigen::AlignedBox3f box;
     const std::size_t places = std::size_t(profiles.count) + 1;
     for (std::size_t g = 0; g < profiles.size(); ++g) {
-        const Vec3f root = generator.source.guides.root_positions[g].cast<float>();
+        const Vec3f root = ready.source.guides.root_positions[g].cast<float>();
         for (std::size_t i = 0; i < places; ++i) {
             const Vec3f local = scale * profiles.positions[g * places + i];
             box.extend(root + profiles.root_frames[g] * local);
@@ -50,8 +51,8 @@ Eigen::AlignedBox3f guide_box(const Generator& generator) {
     return box;
 }
 
-Generator make_generator(const Groom& groom, const StageCallback& stage) {
-    Generator out;
+ReadyGroom make_ready_groom(const GroomSettings& groom, const StageCallback& stage) {
+    ReadyGroom out;
     out.groom = groom;
     out.source = groom_guides(groom, stage);
     out.seconds = out.source.seconds;

@@ -7,9 +7,9 @@ namespace lancret {
 
 /// A groom that is ready to expand. Its guides are at rest; for another time, make other
 /// profiles from the guides of that time and keep the binding.
-struct Generator {
-    Groom groom;
-    GroomGuides source;             ///< guides, scalp, and how they came about
+struct ReadyGroom {
+    GroomSettings groom;
+    PlacedGuides source;            ///< guides, scalp, and how they came about
     GuideProfiles<float> profiles;  ///< of the guides
     StrandClasses classes;          ///< how finely each strand is cut
     Binding binding;                ///< in_class_order
@@ -18,12 +18,12 @@ struct Generator {
 };
 
 /// The guides at rest as `expand` reads them.
-ClassedGuides rest_guides(const Generator& generator);
+ClassedGuides rest_guides(const ReadyGroom& ready);
 
 /// The box of the guides at rest: what a groom means to be, whatever a stray child does.
-Eigen::AlignedBox3f guide_box(const Generator& generator);
+Eigen::AlignedBox3f guide_box(const ReadyGroom& ready);
 
 /// Loads, chooses and fits guides, places and binds children. Throws InputError.
-Generator make_generator(const Groom& groom, const StageCallback& stage = {});
+ReadyGroom make_ready_groom(const GroomSettings& groom, const StageCallback& stage = {});
 
 }  // namespace lancret

@@ -17,8 +17,8 @@ HWY_INLINE Lanes3 load3(const float* rows, std::size_t row_size) {
     return {hn::Load(d, rows), hn::Load(d, rows + row_size),
             hn::Load(d, rows + 2 * row_size)};
 }
-HWY_INLINE Lanes3 load3(const float (&rows)[3][kMostLanes]) {
-    return load3(&rows[0][0], kMostLanes);
+HWY_INLINE Lanes3 load3(const float (&rows)[3][kMaxLanes]) {
+    return load3(&rows[0][0], kMaxLanes);
 }
 HWY_INLINE void store3(const Lanes3& v, float* rows) {
     const D d;
@@ -65,16 +65,16 @@ HWY_INLINE LanesGoal lanes_goal(const StrandBatch& batch) {
     for (Lanes3& term : out.spine.terms) term = {zero, zero, zero};
     V turns = zero;
     for (std::size_t k = 0; k < batch.neighbours; ++k) {
-        const float(&record)[16][kMostLanes] = batch.records[k];
+        const float(&record)[16][kMaxLanes] = batch.records[k];
         const V share = hn::Load(d, batch.shares[k]);
-        const Lanes3 from = load3(&record[0][0], kMostLanes);
+        const Lanes3 from = load3(&record[0][0], kMaxLanes);
         turns = hn::MulAdd(share, hn::Load(d, record[3]), turns);
         // The smallest rotation from `from` to `up`, on each term.
         const V cosine = dot(from, up);
         const Lanes3 axis = cross(from, up);
         const V inverse = hn::Div(set(1), hn::Add(set(1), cosine));
         for (std::size_t j = 0; j < kSpineTerms; ++j) {
-            const Lanes3 term = load3(&record[4 + 3 * j][0], kMostLanes);
+            const Lanes3 term = load3(&record[4 + 3 * j][0], kMaxLanes);
             const V along = hn::Mul(dot(axis, term), inverse);
             const Lanes3 turned =
                 times_plus(along, axis, cross_plus(axis, term, times(cosine, term)));
@@ -92,7 +92,7 @@ HWY_INLINE LanesGoal lanes_goal(const StrandBatch& batch) {
 /// The frame at the root: of the child itself, or the heaviest guide's, turned to it.
 HWY_INLINE Lanes4 lanes_start(const StrandBatch& batch, bool own) {
     const Lanes4 start{hn::Load(D(), batch.start[0]),
-                       load3(&batch.start[1][0], kMostLanes)};
+                       load3(&batch.start[1][0], kMaxLanes)};
     if (own) return start;
     const Lanes3 from = load3(batch.start_normal), up = load3(batch.normal);
     const Lanes4 turn{hn::Add(set(1), dot(from, up)), cross(from, up)};
@@ -131,11 +131,11 @@ HWY_INLINE LanesSpine walk(const KernelInput& in, bool with_spine, StrandBatch& 
 HWY_INLINE Lanes4 anchored(const Lanes4& q, const Lanes3& from, const Lanes3& to,
                            V advance) {
     // As in tilt_speed and turn_of_spine.
-    constexpr float kNone = 0.01f, kSoft = 0.05f, kMost = 0.33f, kShort = 0.05f;
+    constexpr float kNone = 0.01f, kSoft = 0.05f, kMax = 0.33f, kShort = 0.05f;
     const V own2 = dot(from, from), length = hn::Sqrt(own2);
     const V own = hn::Min(length, set(1));
     const V below = hn::Add(hn::NegMulAdd(advance, own, set(1)), set(kSoft));
-    const V most = hn::Mul(set(kMost), below);
+    const V most = hn::Mul(set(kMax), below);
     const V speed = hn::Min(hn::Max(hn::Sub(advance, own), hn::Neg(most)), most);
     const V size = hn::Sqrt(hn::MulAdd(own, own, set(kShort * kShort)));
     const Lanes3 v = times(hn::Div(speed, hn::Mul(below, size)), from);

@@ -45,7 +45,7 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
     static_assert(sizeof(GuideRecord) == 16 * sizeof(float));
     const Binding& binding = in.binding;
     const std::size_t lanes = hn::Lanes(D());
-    const float* curvatures[kMostLanes];
+    const float* curvatures[kMaxLanes];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         const std::size_t i = first + std::min(lane, used - 1);
         LightChild& child = batch.children[lane] = light_child(binding, i);
@@ -66,7 +66,7 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
         }
         curvatures[lane] = &in.guides.curvatures[heaviest * 3 * batch.stride];
         const float ds = binding.lengths[i] / float(batch.intervals);
-        const float most = with_anchor ? kMostTurnAnchored : kMostTurnAlone;
+        const float most = with_anchor ? kMaxTurnAnchored : kMaxTurnAlone;
         bool scalar = !own_rates && !(in.guides.most_curved[heaviest] * ds <= most);
         for (std::size_t k = 0; k < child.count; ++k) {
             const Vec3f& normal = binding.guide_normals[child.guides[k]];
@@ -89,9 +89,9 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
     if (!with_anchor) return;
     for (std::size_t k = 0; k < batch.neighbours; ++k) {
         transpose_rows(batch.record_rows[k], lanes, 16, &batch.records[k][0][0],
-                       kMostLanes);
+                       kMaxLanes);
     }
-    const float* advances[kMostLanes];
+    const float* advances[kMaxLanes];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         advances[lane] = &batch.rows[(2 * lanes + lane) * stride];
     }

@@ -229,7 +229,7 @@ HWY_INLINE void sum_joints(const KernelInput& in, StrandBatch& batch) {
     const std::span<const std::uint32_t> places = in.guides.joint_places;
     const auto transposed = [&](const float* from, std::size_t row_size,
                                 std::size_t count, float* to) {
-        const float* rows[kMostLanes];
+        const float* rows[kMaxLanes];
         for (std::size_t lane = 0; lane < lanes; ++lane)
             rows[lane] = from + lane * row_size;
         transpose_rows(rows, lanes, count, to, lanes);

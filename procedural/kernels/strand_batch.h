@@ -13,29 +13,29 @@ namespace lancret {
 /// step. Where frames are turned once more after it, the blends themselves take the helix
 /// of less than half a turn between two; where they are not, only up to half a turn is
 /// that one the guide's.
-inline constexpr float kMostTurnAnchored = 6.28f, kMostTurnAlone = 3.1f;
+inline constexpr float kMaxTurnAnchored = 6.28f, kMaxTurnAlone = 3.1f;
 
 /// The cosine between two normals below which they are opposed, for smallest_rotation
 /// too.
 inline constexpr float kOpposedCosine = -1 + 1e-6f;
 
 /// The longest vector, in floats.
-inline constexpr std::size_t kMostLanes = 16;
+inline constexpr std::size_t kMaxLanes = 16;
 
 struct StrandBatch {
     std::size_t intervals, stride, neighbours;
-    LightChild children[kMostLanes];
-    const float* record_rows[kMaxNeighbours][kMostLanes];  ///< to be `records`
-    bool scalar[kMostLanes];  ///< left to the scalar blends: turns or normals too far
+    LightChild children[kMaxLanes];
+    const float* record_rows[kMaxNeighbours][kMaxLanes];  ///< to be `records`
+    bool scalar[kMaxLanes];  ///< left to the scalar blends: turns or normals too far
 
-    alignas(64) float length[kMostLanes];           ///< cm
-    alignas(64) float width[kMostLanes];            ///< over the strand's own
-    alignas(64) float root[3][kMostLanes];          ///< cm
-    alignas(64) float normal[3][kMostLanes];        ///< of the scalp at the root
-    alignas(64) float start_normal[3][kMostLanes];  ///< at the heaviest guide's root
-    alignas(64) float start[4][kMostLanes];         ///< w x y z: its root frame
-    alignas(64) float shares[kMaxNeighbours][kMostLanes];       ///< w L over their sum
-    alignas(64) float records[kMaxNeighbours][16][kMostLanes];  ///< GuideRecord
+    alignas(64) float length[kMaxLanes];           ///< cm
+    alignas(64) float width[kMaxLanes];            ///< over the strand's own
+    alignas(64) float root[3][kMaxLanes];          ///< cm
+    alignas(64) float normal[3][kMaxLanes];        ///< of the scalp at the root
+    alignas(64) float start_normal[3][kMaxLanes];  ///< at the heaviest guide's root
+    alignas(64) float start[4][kMaxLanes];         ///< w x y z: its root frame
+    alignas(64) float shares[kMaxNeighbours][kMaxLanes];       ///< w L over their sum
+    alignas(64) float records[kMaxNeighbours][16][kMaxLanes];  ///< GuideRecord
 
     hwy::AlignedFreeUniquePtr<float[]> rows;  ///< [3][lanes][stride]: kappa and tau of
                                               ///< blends that make their own, advances

@@ -18,9 +18,9 @@ struct GroomTimes {
 };
 
 /// The cache of guides that a groom names, or nothing.
-std::filesystem::path cache_of(const Groom& groom);
+std::filesystem::path cache_of(const GroomSettings& groom);
 
 /// Throws InputError where the groom's cache cannot be read.
-GroomTimes groom_times(const Groom& groom, ScalpPoseAt pose_at);
+GroomTimes groom_times(const GroomSettings& groom, ScalpPoseAt pose_at);
 
 }  // namespace lancret

@@ -13,13 +13,13 @@
 
 namespace lancret {
 
-std::filesystem::path cache_of(const Groom& groom) {
+std::filesystem::path cache_of(const GroomSettings& groom) {
     if (!groom.guides_file.empty()) return groom.guides_file;
     return groom.strands_file.extension() == ".h5" ? groom.strands_file
                                                    : std::filesystem::path();
 }
 
-GroomTimes groom_times(const Groom& groom, ScalpPoseAt pose_at) {
+GroomTimes groom_times(const GroomSettings& groom, ScalpPoseAt pose_at) {
     GroomTimes out;
     out.pose_at = std::move(pose_at);
     out.cache = cache_of(groom);
@@ -32,12 +32,12 @@ namespace {
 /// visit(frame, guides, sample) for frames spread over the whole cache; the sample stands
 /// for all children, at any density, and is where it is then.
 template <class Visit>
-void each_measured_frame(const Generator& generator, const GroomTimes& times,
+void each_measured_frame(const ReadyGroom& ready, const GroomTimes& times,
                          const Visit& visit) {
     if (!times.moves() || times.info.frames < 2) return;
     constexpr int kMeasured = 13;
-    Binding sample = generator.sample;
-    const RestPlaces rest = rest_places(sample, generator.source);
+    Binding sample = ready.sample;
+    const RestPlaces rest = rest_places(sample, ready.source);
     const int n = std::min(kMeasured, times.info.frames);
     for (int i = 0; i < n; ++i) {
         const int frame =
@@ -51,31 +51,31 @@ void each_measured_frame(const Generator& generator, const GroomTimes& times,
 
 }  // namespace
 
-StrandClasses classes_in_time(const Generator& generator, const GroomTimes& times,
+StrandClasses classes_in_time(const ReadyGroom& ready, const GroomTimes& times,
                               CurveBasis basis, double tolerance, int finest) {
-    ExpandSettings settings = generator.groom.expand;
+    ExpandSettings settings = ready.groom.expand;
     settings.basis = basis;
-    StrandClasses all = coarsest_classes(generator.source.guides, finest);
+    StrandClasses all = coarsest_classes(ready.source.guides, finest);
     const auto refine = [&](const Binding& sample, const Guides& guides) {
         refine_classes(all, sample, guides, tolerance, settings);
     };
-    refine(generator.sample, generator.source.guides);
-    each_measured_frame(generator, times,
+    refine(ready.sample, ready.source.guides);
+    each_measured_frame(ready, times,
                         [&](int, const Guides& guides, const Binding& sample) {
                             refine(sample, guides);
                         });
     return used_classes(all);
 }
 
-int intervals_in_time(const Generator& generator, const GroomTimes& times,
-                      CurveBasis basis, double tolerance, int most, double* reached) {
-    const Blend blend = generator.groom.expand.blend;
+int intervals_in_time(const ReadyGroom& ready, const GroomTimes& times, CurveBasis basis,
+                      double tolerance, int most, double* reached) {
+    const Blend blend = ready.groom.expand.blend;
     double distance = 0;
-    int out = intervals_within(generator.sample, generator.source.guides, blend,
-                               tolerance, basis, most, &distance);
+    int out = intervals_within(ready.sample, ready.source.guides, blend, tolerance, basis,
+                               most, &distance);
     double farthest = distance;
     each_measured_frame(
-        generator, times, [&](int frame, const Guides& guides, const Binding& sample) {
+        ready, times, [&](int frame, const Guides& guides, const Binding& sample) {
             try {
                 out = std::max(out, intervals_within(sample, guides, blend, tolerance,
                                                      basis, most, &distance));
@@ -89,25 +89,21 @@ int intervals_in_time(const Generator& generator, const GroomTimes& times,
     return out;
 }
 
-RestPlaces prepare_frames(Generator& generator, const GroomTimes& times) {
-    const Groom& groom = generator.groom;
+RestPlaces prepare_frames(ReadyGroom& ready, const GroomTimes& times) {
+    const GroomSettings& groom = ready.groom;
     if (times.moves() && times.info.frames > 1 && !groom.intervals) {
-        const int intervals =
-            std::max(generator.profiles.count,
-                     intervals_in_time(generator, times, groom.expand.basis,
-                                       groom.tolerance, kMostIntervals));
-        if (intervals != generator.profiles.count) {
-            generator.profiles =
-                guide_profiles<float>(generator.source.guides, intervals);
+        const int intervals = std::max(ready.profiles.count,
+                                       intervals_in_time(ready, times, groom.expand.basis,
+                                                         groom.tolerance, kMaxIntervals));
+        if (intervals != ready.profiles.count) {
+            ready.profiles = guide_profiles<float>(ready.source.guides, intervals);
         }
-        generator.classes = groom.adapts()
-                                ? classes_in_time(generator, times, groom.expand.basis,
-                                                  groom.tolerance, intervals)
-                                : StrandClasses{{intervals}};
-        generator.binding =
-            in_class_order(std::move(generator.binding), generator.classes);
+        ready.classes = groom.adapts() ? classes_in_time(ready, times, groom.expand.basis,
+                                                         groom.tolerance, intervals)
+                                       : StrandClasses{{intervals}};
+        ready.binding = in_class_order(std::move(ready.binding), ready.classes);
     }
-    return rest_places(generator.binding, generator.source);
+    return rest_places(ready.binding, ready.source);
 }
 
 Guides guides_at(const GroomTimes& times, std::span<const MeshPoint> guide_places,
@@ -135,19 +131,18 @@ Guides guides_at(const GroomTimes& times, std::span<const MeshPoint> guide_place
     return guides_between(keys, share, InTime::frames, &roots);
 }
 
-FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
-                       const GroomTimes& times, double frame) {
+FrameState go_to_frame(ReadyGroom& ready, const RestPlaces& rest, const GroomTimes& times,
+                       double frame) {
     FrameState out;
     if (times.cache.empty()) {
-        out.guides = generator.source.guides;
+        out.guides = ready.source.guides;
     } else {
         out.guides = guides_at(times, rest.guide_places, frame);
         if (times.pose_at) out.pose = times.pose_at(frame);
     }
-    out.scalp_roots = pose_binding(generator.binding, rest, out.pose);
-    out.classed =
-        classed_guides(out.guides, generator.classes, generator.binding.guide_normals,
-                       generator.groom.expand.blend);
+    out.scalp_roots = pose_binding(ready.binding, rest, out.pose);
+    out.classed = classed_guides(out.guides, ready.classes, ready.binding.guide_normals,
+                                 ready.groom.expand.blend);
     return out;
 }
 

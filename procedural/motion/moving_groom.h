@@ -14,30 +14,29 @@ struct FrameState {
     ScalpPose pose;                 ///< of the scalp
 };
 
-/// What `generator`'s binding is at rest; to be called before any frame. The points of a
+/// What the binding of `ready` is at rest; to be called before any frame. The points of a
 /// strand are the same in all frames, so where a groom does not say how many intervals it
 /// has, they and the strands' classes are measured on frames spread over the whole cache
 /// too: hair that moves bends more than hair at rest. The binding's children may change
 /// their order with their classes. Throws InputError.
-RestPlaces prepare_frames(Generator& generator, const GroomTimes& times);
+RestPlaces prepare_frames(ReadyGroom& ready, const GroomTimes& times);
 
 /// The number of intervals at which curves of `basis` stay within `tolerance` cm of the
 /// strands: at rest, and at frames spread over the cache. At most `most`, then further
 /// off: `reached`, where it is not null, becomes the farthest that was seen, cm. Throws
 /// InputError.
-int intervals_in_time(const Generator& generator, const GroomTimes& times,
-                      CurveBasis basis, double tolerance, int most,
-                      double* reached = nullptr);
+int intervals_in_time(const ReadyGroom& ready, const GroomTimes& times, CurveBasis basis,
+                      double tolerance, int most, double* reached = nullptr);
 
 /// How finely the children of each guide are cut so that curves of `basis` stay within
 /// `tolerance` cm, of at most `finest` intervals; measured at the same times.
-StrandClasses classes_in_time(const Generator& generator, const GroomTimes& times,
+StrandClasses classes_in_time(const ReadyGroom& ready, const GroomTimes& times,
                               CurveBasis basis, double tolerance, int finest);
 
-/// Brings `generator`'s binding to a frame. `rest` is what the binding was before the
+/// Brings the binding of `ready` to a frame. `rest` is what the binding was before the
 /// first frame. Where no motion is known, the scalp stays at rest. Throws InputError.
-FrameState go_to_frame(Generator& generator, const RestPlaces& rest,
-                       const GroomTimes& times, double frame);
+FrameState go_to_frame(ReadyGroom& ready, const RestPlaces& rest, const GroomTimes& times,
+                       double frame);
 
 /// The guides of a cache at a frame or between two: see guides_between. Where it is known
 /// how the scalp moves, the roots follow it: those at `guide_places`. Throws InputError.

@@ -68,7 +68,7 @@ ScalpPose scalp_pose(const ScalpTime& scalp) {
     return posed(scalp, *std::get<MeshMotion>(scalp).rest);
 }
 
-RestPlaces rest_places(const Binding& binding, const GroomGuides& source) {
+RestPlaces rest_places(const Binding& binding, const PlacedGuides& source) {
     RestPlaces out;
     out.roots = binding.roots.positions;
     out.normals = binding.roots.normals;

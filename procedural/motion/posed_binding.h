@@ -35,7 +35,7 @@ struct RestPlaces {
 };
 
 /// Of a binding that `pose_binding` has not touched yet, and the guides it was made with.
-RestPlaces rest_places(const Binding& binding, const GroomGuides& source);
+RestPlaces rest_places(const Binding& binding, const PlacedGuides& source);
 
 /// Puts the children's roots and normals and the guides' normals where the scalp has
 /// them, each time from rest, so that nothing adds up. Expanding the binding with the

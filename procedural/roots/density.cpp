@@ -37,11 +37,11 @@ double area_deviation(double density, std::size_t strands) {
                      double(std::max<std::size_t>(1, strands)));
 }
 
-double lod_density(double pixels, std::size_t strands, double strands_a_pixel) {
+double lod_density(double pixels, std::size_t strands, double strands_per_pixel) {
     if (strands == 0) return 1;
     // Written so that a NaN grows all.
-    const double density = pixels * strands_a_pixel / double(strands);
-    return density < 1 ? std::max(density, kLeastDensity) : 1;
+    const double density = pixels * strands_per_pixel / double(strands);
+    return density < 1 ? std::max(density, kMinDensity) : 1;
 }
 
 std::vector<float> prune(std::vector<std::uint32_t>& ids, std::uint64_t seed,

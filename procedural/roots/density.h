@@ -18,7 +18,7 @@
 
 namespace lancret {
 
-inline constexpr double kLeastDensity = 1e-6;
+inline constexpr double kMinDensity = 1e-6;
 /// Half the share of ranks about the density at which strands fade.
 inline constexpr double kFade = 0.1;
 
@@ -32,9 +32,9 @@ double width_at(double rank, double density);
 /// a standard deviation, relative: sqrt((integral of w^2 - 1) / strands).
 double area_deviation(double density, std::size_t strands);
 
-/// The share of strands at which a projection of `pixels` pixels shows `strands_a_pixel`
-/// of them: all where there are not that many.
-double lod_density(double pixels, std::size_t strands, double strands_a_pixel);
+/// The share of strands at which a projection of `pixels` pixels shows
+/// `strands_per_pixel` of them: all where there are not that many.
+double lod_density(double pixels, std::size_t strands, double strands_per_pixel);
 
 /// Drops from `ids` what is not grown at `density`, and gives the widths of the rest.
 std::vector<float> prune(std::vector<std::uint32_t>& ids, std::uint64_t seed,

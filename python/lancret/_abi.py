@@ -17,7 +17,7 @@ from ctypes import (
     c_void_p,
 )
 
-ABI_VERSION = 1
+ABI_VERSION = 2
 OK, CANCELLED = 0, 4
 REACH, TIGHT = 0, 1
 
@@ -35,7 +35,7 @@ ATTRIBUTES = {
     "arc_lengths": 64,
     "random": 128,
 }
-#: What lancret_chunk_figures is asked for.
+#: What lancret_chunk_get_figures is asked for.
 FIGURES = {
     "length_error": 0,
     "orthogonality": 1,
@@ -146,7 +146,7 @@ class Options(Sized):
         ("max_error", c_float),
         ("density", c_double),
         ("pixels", c_double),
-        ("strands_a_pixel", c_double),
+        ("strands_per_pixel", c_double),
         ("attributes", c_uint),
         ("unit", c_float),
     ]
@@ -236,21 +236,21 @@ STRUCTS: dict[str, type[ctypes.Structure]] = {
 FUNCTIONS: dict[str, tuple[object, list[object]]] = {
     "lancret_version": (c_char_p, []),
     "lancret_abi_version": (c_int, []),
-    "lancret_create": (c_int, [c_int, POINTER(Host), POINTER(c_void_p)]),
-    "lancret_destroy": (None, [c_void_p]),
-    "lancret_open": (
+    "lancret_context_create": (c_int, [c_int, POINTER(Host), POINTER(c_void_p)]),
+    "lancret_context_destroy": (None, [c_void_p]),
+    "lancret_groom_open": (
         c_int,
         [c_void_p, POINTER(Source), POINTER(c_void_p), c_char_p, c_size_t],
     ),
-    "lancret_close": (None, [c_void_p]),
-    "lancret_get_info": (c_int, [c_void_p, POINTER(Info)]),
-    "lancret_describe": (c_int, [c_void_p, TextSink, c_void_p]),
-    "lancret_get_head": (c_int, [c_void_p, c_double, MeshSink, c_void_p]),
-    "lancret_is_still": (
+    "lancret_groom_close": (None, [c_void_p]),
+    "lancret_groom_get_info": (c_int, [c_void_p, POINTER(Info)]),
+    "lancret_groom_describe": (c_int, [c_void_p, TextSink, c_void_p]),
+    "lancret_groom_get_head": (c_int, [c_void_p, c_double, MeshSink, c_void_p]),
+    "lancret_groom_is_still": (
         c_int,
         [c_void_p, POINTER(c_double), c_size_t, POINTER(c_int)],
     ),
-    "lancret_bound": (
+    "lancret_groom_get_chunk_box": (
         c_int,
         [c_void_p, c_uint, POINTER(Options), c_int, POINTER(c_float)],
     ),
@@ -258,17 +258,17 @@ FUNCTIONS: dict[str, tuple[object, list[object]]] = {
         c_int,
         [c_void_p, c_uint, POINTER(Options), POINTER(c_void_p)],
     ),
-    "lancret_chunk_sizes": (c_int, [c_void_p, POINTER(Curves)]),
+    "lancret_chunk_get_sizes": (c_int, [c_void_p, POINTER(Curves)]),
     "lancret_chunk_write": (c_int, [c_void_p, POINTER(Curves)]),
     "lancret_chunk_close": (None, [c_void_p]),
-    "lancret_get_chunk_info": (c_int, [c_void_p, POINTER(ChunkInfo)]),
-    "lancret_chunk_figures": (c_int, [c_void_p, c_int, c_size_t, POINTER(c_float)]),
-    "lancret_check_chunk": (
+    "lancret_chunk_get_info": (c_int, [c_void_p, POINTER(ChunkInfo)]),
+    "lancret_chunk_get_figures": (c_int, [c_void_p, c_int, c_size_t, POINTER(c_float)]),
+    "lancret_groom_check_chunk": (
         c_int,
         [c_void_p, c_uint, POINTER(Options), POINTER(Check)],
     ),
-    "lancret_get_guides": (c_int, [c_void_p, POINTER(Guides)]),
-    "lancret_evaluate": (
+    "lancret_groom_get_guides": (c_int, [c_void_p, POINTER(Guides)]),
+    "lancret_context_evaluate": (
         c_int,
         [c_void_p, POINTER(Source), TextSink, c_void_p, c_char_p, c_size_t],
     ),

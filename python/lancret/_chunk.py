@@ -41,7 +41,7 @@ def bound(
 
 def sizes_of(context: Context, chunk: int) -> _abi.Curves:
     sizes = _abi.Curves()
-    context.raise_for(library().lancret_chunk_sizes(chunk, byref(sizes)))
+    context.raise_for(library().lancret_chunk_get_sizes(chunk, byref(sizes)))
     return sizes
 
 
@@ -65,7 +65,7 @@ def figures_of(context: Context, chunk: int, figure: str) -> Floats:
         room = int((pieces + _MORE[figure]).sum())
     values = np.empty(room, dtype=np.float32)
     context.raise_for(
-        library().lancret_chunk_figures(
+        library().lancret_chunk_get_figures(
             chunk, _abi.FIGURES[figure], 0, pointer_to(values, c_float)
         )
     )
@@ -74,7 +74,7 @@ def figures_of(context: Context, chunk: int, figure: str) -> Floats:
 
 def info_of(context: Context, chunk: int) -> ChunkInfo:
     struct = _abi.ChunkInfo()
-    context.raise_for(library().lancret_get_chunk_info(chunk, byref(struct)))
+    context.raise_for(library().lancret_chunk_get_info(chunk, byref(struct)))
     return ChunkInfo(
         **{name: getattr(struct, name) for name, *_ in _abi.ChunkInfo._fields_[1:]}
     )

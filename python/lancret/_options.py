@@ -26,7 +26,7 @@ class Options(TypedDict, total=False):
     max_error: float
     attributes: Collection[Attribute]
     pixels: float
-    strands_a_pixel: float
+    strands_per_pixel: float
     unit: float
 
 
@@ -55,7 +55,7 @@ def options_of(
     max_error: float = 0,
     attributes: Collection[Attribute] = (),
     pixels: float = 0,
-    strands_a_pixel: float = 0,
+    strands_per_pixel: float = 0,
     unit: float = 0,
 ) -> _abi.Options:
     if basis not in _abi.BASES:
@@ -67,7 +67,7 @@ def options_of(
         max_error=max_error,
         density=density,
         pixels=pixels,
-        strands_a_pixel=strands_a_pixel,
+        strands_per_pixel=strands_per_pixel,
         attributes=attribute_bits(attributes),
         unit=unit,
     )

@@ -23,7 +23,7 @@ def _copy(pointer: Any, *shape: int) -> Any:
 
 def info_of(context: Context, groom: int) -> Info:
     struct = _abi.Info()
-    context.raise_for(library().lancret_get_info(groom, byref(struct)))
+    context.raise_for(library().lancret_groom_get_info(groom, byref(struct)))
     values = {name: getattr(struct, name) for name, *_ in _abi.Info._fields_[1:]}
     values["up"] = tuple(struct.up)
     values["box"] = tuple(struct.box[:3]), tuple(struct.box[3:])
@@ -35,7 +35,7 @@ def info_of(context: Context, groom: int) -> Info:
 
 def guides_of(context: Context, groom: int) -> Guides:
     struct = _abi.Guides()
-    context.raise_for(library().lancret_get_guides(groom, byref(struct)))
+    context.raise_for(library().lancret_groom_get_guides(groom, byref(struct)))
     count, segments = struct.guides, struct.segments
     return Guides(
         root_positions=_copy(struct.root_positions, count, 3),
@@ -49,7 +49,7 @@ def guides_of(context: Context, groom: int) -> Guides:
 def description_of(context: Context, groom: int) -> dict[str, Any]:
     parts: list[bytes] = []
     sink = _abi.TextSink(lambda _user, part: parts.append(part))
-    context.raise_for(library().lancret_describe(groom, sink, None))
+    context.raise_for(library().lancret_groom_describe(groom, sink, None))
     described: dict[str, Any] = json.loads(b"".join(parts))
     return described
 
@@ -65,12 +65,12 @@ def head_of(context: Context, groom: int, time: float) -> Mesh:
         return _abi.OK
 
     sink = _abi.MeshSink(take)
-    context.raise_for(library().lancret_get_head(groom, time, sink, None))
+    context.raise_for(library().lancret_groom_get_head(groom, time, sink, None))
     return Mesh(**arrays)
 
 
 def is_still(context: Context, groom: int, moments: tuple[float, ...]) -> bool:
     still, at = c_int(), (c_double * len(moments))(*moments)
-    status = library().lancret_is_still(groom, at, len(moments), byref(still))
+    status = library().lancret_groom_is_still(groom, at, len(moments), byref(still))
     context.raise_for(status)
     return bool(still.value)

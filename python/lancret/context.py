@@ -105,14 +105,14 @@ class Context:
             host.cancelled = self._callbacks.c_cancel
         pointer = ctypes.c_void_p()
         self.raise_for(
-            library().lancret_create(
+            library().lancret_context_create(
                 _abi.ABI_VERSION, ctypes.byref(host), ctypes.byref(pointer)
             )
         )
         callbacks = self._callbacks  # must live as long as the handle
 
         def release(handle: int, _keep: _Callbacks = callbacks) -> None:
-            library().lancret_destroy(handle)
+            library().lancret_context_destroy(handle)
 
         self.handle = Handle(pointer.value or 0, release, "context")
 

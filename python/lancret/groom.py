@@ -38,13 +38,13 @@ class Groom:
         host = context.handle.enter()
         try:
             with context.handle.use():
-                status = library().lancret_open(
+                status = library().lancret_groom_open(
                     host, byref(source.struct), byref(pointer), text, ERROR_BYTES
                 )
             if pointer.value:
 
                 def release(groom: int) -> None:
-                    library().lancret_close(groom)
+                    library().lancret_groom_close(groom)
                     context.handle.leave()
 
                 self._handle = Handle(pointer.value, release, "groom")
@@ -134,7 +134,7 @@ class Groom:
         box = (c_float * 6)()
         asked = options_of(moments_of(times), **options)
         with self._handle.use() as groom:
-            status = library().lancret_bound(
+            status = library().lancret_groom_get_chunk_box(
                 groom, chunk_index(chunk), byref(asked), kinds[kind], box
             )
         self.context.raise_for(status)
@@ -150,7 +150,7 @@ class Groom:
         attributes: Collection[Attribute] = IDS,
         *,
         pixels: float = 0,
-        strands_a_pixel: float = 0,
+        strands_per_pixel: float = 0,
         unit: float = 0,
     ) -> Curves:
         """Grows a chunk, some chunks, or all of them (None), into one set of arrays.
@@ -159,7 +159,7 @@ class Groom:
         density: share of the strands that are grown, wider; 0: the groom's own.
         max_error: that curves may be off the strands, in the units given back; 0: the
             groom's own tolerance.
-        pixels, strands_a_pixel: level of detail: how many the chunk covers, and at most
+        pixels, strands_per_pixel: level of detail: how many the chunk covers, and at most
             how many strands each shall have.
         unit: cm of a unit of what is given back; 0: 1.
         """
@@ -171,7 +171,7 @@ class Groom:
             max_error,
             attributes,
             pixels,
-            strands_a_pixel,
+            strands_per_pixel,
             unit,
         )
         numbers = self._numbers(chunk)
@@ -262,7 +262,7 @@ class Groom:
             for number in numbers:
                 struct = _abi.Check()
                 self.context.raise_for(
-                    library().lancret_check_chunk(
+                    library().lancret_groom_check_chunk(
                         groom, chunk_index(number), byref(asked), byref(struct)
                     )
                 )

@@ -111,7 +111,7 @@ def evaluate(
     sink = _abi.TextSink(lambda _user, part_of_it: parts.append(part_of_it))
     error = ctypes.create_string_buffer(ERROR_BYTES)
     with own.handle.use() as host:
-        status = library().lancret_evaluate(
+        status = library().lancret_context_evaluate(
             host, byref(given.struct), sink, None, error, ERROR_BYTES
         )
     own.raise_for(status, error.value.decode(errors="replace"))

@@ -122,10 +122,10 @@ class Writing(WithFolder):
         self.assertTrue((low <= (hair.points - hair.radii[:, None]).min(axis=0)).all())
         self.assertTrue((high >= (hair.points + hair.radii[:, None]).max(axis=0)).all())
 
-    def test_a_prim_a_chunk_is_the_same_hair(self):
+    def test_one_prim_per_chunk_is_the_same_hair(self):
         path = self.folder / "hair.usdc"
         with lancret.open(SMALL, chunk_strands=100) as groom:
-            usd.write(path, groom, a_prim_a_chunk=True)
+            usd.write(path, groom, prim_per_chunk=True)
             for chunk in groom.chunks:
                 np.testing.assert_array_equal(
                     read_back(path, f"/Hair/chunk_{chunk:05}")["points"],

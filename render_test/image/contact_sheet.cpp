@@ -10,12 +10,12 @@ ContactSheet make_contact_sheet(std::size_t pictures, int width, int height,
     ContactSheet out;
     out.pictures = std::max<std::size_t>(pictures, 1);
     out.background = background;
-    out.every = (out.pictures + kMostSheetTiles - 1) / kMostSheetTiles;
+    out.every = (out.pictures + kMaxSheetTiles - 1) / kMaxSheetTiles;
     const int tiles = int((out.pictures + out.every - 1) / out.every);
     // The shape nearest to 3 by 2, empty places counted as a flaw.
     constexpr double kShape = 1.5;
     double best = 1e30;
-    for (int columns = 1; columns <= std::min(tiles, kMostSheetColumns); ++columns) {
+    for (int columns = 1; columns <= std::min(tiles, kMaxSheetColumns); ++columns) {
         const int rows = (tiles + columns - 1) / columns;
         const double shape = double(columns) * width / (double(rows) * height);
         const double flaw = std::abs(std::log(shape / kShape)) +
@@ -23,8 +23,8 @@ ContactSheet make_contact_sheet(std::size_t pictures, int width, int height,
         if (flaw < best) best = flaw, out.columns = columns, out.rows = rows;
     }
     const double scale =
-        std::min({1.0, double(kMostSheetSide / out.columns - kSheetGap) / width,
-                  double(kMostSheetSide / out.rows - kSheetGap) / height});
+        std::min({1.0, double(kMaxSheetSide / out.columns - kSheetGap) / width,
+                  double(kMaxSheetSide / out.rows - kSheetGap) / height});
     out.tile_width = std::max(1, int(scale * width));
     out.tile_height = std::max(1, int(scale * height));
     out.image.width = out.columns * (out.tile_width + kSheetGap) - kSheetGap;

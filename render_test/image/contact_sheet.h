@@ -17,9 +17,9 @@ struct ContactSheet {
     Image image;                          ///< colour alone
 };
 
-inline constexpr int kMostSheetColumns = 16, kMostSheetTiles = 256;
-inline constexpr int kSheetGap = 4;          ///< pixels between tiles
-inline constexpr int kMostSheetSide = 2048;  ///< pixels across and down
+inline constexpr int kMaxSheetColumns = 16, kMaxSheetTiles = 256;
+inline constexpr int kSheetGap = 4;         ///< pixels between tiles
+inline constexpr int kMaxSheetSide = 2048;  ///< pixels across and down
 
 /// A sheet for `pictures` (>= 1) pictures of one size, of about the shape of a screen.
 /// Tiles are no larger than the pictures.

@@ -44,7 +44,7 @@ void composited(std::span<const DeepSample> samples, std::vector<DeepPoint>& poi
     });
     // The largest half below one: what is behind must still be seen, or its light would
     // be lost.
-    constexpr float kMostBefore = 1 - 0x1p-11f;
+    constexpr float kMaxBefore = 1 - 0x1p-11f;
     float through = 1, before = -std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < points.size(); ++i) {
         DeepPoint& point = points[i];
@@ -53,7 +53,7 @@ void composited(std::span<const DeepSample> samples, std::vector<DeepPoint>& poi
         before = point.depth;
         point.rgba /= through;
         point.rgba.w() =
-            std::min(point.rgba.w(), i + 1 < points.size() ? kMostBefore : 1.0f);
+            std::min(point.rgba.w(), i + 1 < points.size() ? kMaxBefore : 1.0f);
         for (float& value : point.rgba) value = rounded_to_half(value);
         through *= 1 - point.rgba.w();
     }

@@ -47,7 +47,7 @@ void write_image(const std::filesystem::path& path, const Image& image,
 
 /// Reads any colour image as linear RGB: 8-bit and 16-bit integers are taken as sRGB,
 /// grey as equal RGB, negative values as zero. Throws InputError that names the path.
-ColourMap read_colour_map(const std::filesystem::path& path);
+Texture read_colour_map(const std::filesystem::path& path);
 
 /// Writes `text` onto the picture in an opaque linear colour, from (x, y) in pixels, y
 /// that of the base line; `size` is the letters' height in pixels. False, and nothing is

@@ -13,7 +13,7 @@ namespace lancret {
 
 namespace fs = std::filesystem;
 
-ColourMap read_colour_map(const fs::path& path) {
+Texture read_colour_map(const fs::path& path) {
     const auto fail = [&](const std::string& why) {
         return InputError(path.string() + ": " + why);
     };
@@ -23,9 +23,9 @@ ColourMap read_colour_map(const fs::path& path) {
     const auto input = OIIO::ImageInput::open(path.string(), &as_stored);
     if (!input) throw fail("not a picture that can be read: " + OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
-    constexpr std::int64_t kMostTexels = std::int64_t(1) << 27;
+    constexpr std::int64_t kMaxTexels = std::int64_t(1) << 27;
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
-        std::int64_t(spec.width) * spec.height > kMostTexels)
+        std::int64_t(spec.width) * spec.height > kMaxTexels)
         throw fail("a picture of " + std::to_string(spec.width) + " x " +
                    std::to_string(spec.height) + " x " + std::to_string(spec.depth) +
                    " with " + std::to_string(spec.nchannels) +
@@ -33,7 +33,7 @@ ColourMap read_colour_map(const fs::path& path) {
     const int channels = spec.nchannels < 3 ? 1 : 3;
     const bool coded =
         spec.format == OIIO::TypeDesc::UINT8 || spec.format == OIIO::TypeDesc::UINT16;
-    ColourMap map{spec.width, spec.height, {}};
+    Texture map{spec.width, spec.height, {}};
     const std::size_t size = std::size_t(map.width) * map.height;
     std::vector<float> values(size * channels);
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data()))

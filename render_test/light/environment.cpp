@@ -39,9 +39,9 @@ int bin_of(std::span<const float> distribution, float& random) {
 }  // namespace
 
 Environment::Environment(const Vec3f& radiance)
-    : Environment(ColourMap{1, 1, {radiance}}) {}
+    : Environment(Texture{1, 1, {radiance}}) {}
 
-Environment::Environment(ColourMap map, const Vec3f& up, float rotation)
+Environment::Environment(Texture map, const Vec3f& up, float rotation)
     : map_(std::move(map)) {
     const int w = map_.width, h = map_.height;
     if (w < 1 || h < 1 || map_.texels.size() != std::size_t(w) * h)
@@ -144,8 +144,8 @@ LightSample Environment::sample(const Vec2f& random) const {
     return sample;
 }
 
-ColourMap sky_map(const Vec3f& zenith, const Vec3f& horizon, const Vec3f& ground) {
-    ColourMap map{1, 64, {}};
+Texture sky_map(const Vec3f& zenith, const Vec3f& horizon, const Vec3f& ground) {
+    Texture map{1, 64, {}};
     for (int y = 0; y < map.height; ++y) {
         const float up = std::cos(kPi * (float(y) + 0.5f) / float(map.height));
         const Vec3f& end = up > 0 ? zenith : ground;

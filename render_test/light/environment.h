@@ -10,7 +10,7 @@
 namespace lancret {
 
 /// Linear RGB texels, row after row from the top.
-struct ColourMap {
+struct Texture {
     int width = 0, height = 0;
     std::vector<Vec3f> texels;  ///< [width * height]
 
@@ -34,7 +34,7 @@ class Environment {
     explicit Environment(const Vec3f& radiance = Vec3f::Zero());
     /// `up` is turned to the map's zenith; `rotation` (radian) turns the map about it.
     /// Throws std::invalid_argument where the map is empty, negative or not finite.
-    explicit Environment(ColourMap map, const Vec3f& up = Vec3f::UnitY(),
+    explicit Environment(Texture map, const Vec3f& up = Vec3f::UnitY(),
                          float rotation = 0);
 
     Vec3f radiance(const Vec3f& direction) const;
@@ -52,7 +52,7 @@ class Environment {
     float pdf(const Place& place) const;
     float texel_pdf(int x, int y) const;
 
-    ColourMap map_;
+    Texture map_;
     Mat3f to_map_ = Mat3f::Identity();  ///< rows: the map's x, up, z
     std::vector<float> rows_;           ///< [height + 1] distribution of rows
     std::vector<float> columns_;        ///< [height * (width + 1)] within each row
@@ -60,6 +60,6 @@ class Environment {
 };
 
 /// A smooth sky: `zenith` above, `horizon` around, `ground` below.
-ColourMap sky_map(const Vec3f& zenith, const Vec3f& horizon, const Vec3f& ground);
+Texture sky_map(const Vec3f& zenith, const Vec3f& horizon, const Vec3f& ground);
 
 }  // namespace lancret

@@ -18,7 +18,7 @@ constexpr int kRowCount = kFarRows + 1, kDepthCount = kFarDepths + 1;
 /// Offsets h = sin(gamma), gamma at the middles of even steps. R and TT turn by at most
 /// two steps from one to the next and TRT by six, so steps of a quarter of the lobes'
 /// scale s keep a sum of lobes smooth.
-constexpr int kLeastOffsets = 64, kMostOffsets = 1024;
+constexpr int kMinOffsets = 64, kMaxOffsets = 1024;
 
 /// One offset h > 0 at one inclination.
 struct Offset {
@@ -30,7 +30,7 @@ struct Offset {
 
 std::vector<Offset> offsets_at(const HairModel& model, float cosine_o) {
     const int count =
-        std::clamp(int(std::ceil(2 * kPi / model.s)), kLeastOffsets, kMostOffsets);
+        std::clamp(int(std::ceil(2 * kPi / model.s)), kMinOffsets, kMaxOffsets);
     const float index = std::sqrt(model.eta * model.eta - 1 + cosine_o * cosine_o);
     std::vector<Offset> offsets;
     double sum = 0;

@@ -15,12 +15,12 @@ namespace lancret {
 /// A dull surface, the same on both sides.
 struct MeshMaterial {
     Vec3f colour = Vec3f(0.18f, 0.13f, 0.11f);  ///< share of light sent back, 0..1
-    std::optional<ColourMap> texture;           ///< by UV, times `colour`
+    std::optional<Texture> texture;             ///< by UV, times `colour`
     std::optional<float> coat_roughness;        ///< 0.05 to 1; none: no coat (glossy.h)
 };
 
 /// Bilinear between texel centres; UVs outside [0, 1] repeat, and v runs upward.
-inline Vec3f texture_colour(const ColourMap& map, const Vec2f& uv) {
+inline Vec3f texture_colour(const Texture& map, const Vec2f& uv) {
     struct Pair {
         int low, high;
         float share;  ///< of the higher

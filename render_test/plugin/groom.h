@@ -43,7 +43,7 @@ class PluginGroom {
     std::optional<CurveShape> shape() const;  ///< none: as is best for a picture
     /// Of the guides at rest, cm.
     Eigen::AlignedBox3f box() const;
-    /// lancret_describe's JSON.
+    /// lancret_groom_describe's JSON.
     std::string description() const;
     /// What is seen of the head at a time, if there is one. Throws InputError.
     std::optional<TriangleMesh> head(double time) const;

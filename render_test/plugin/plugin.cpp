@@ -13,7 +13,7 @@ namespace lancret {
 namespace {
 
 /// Found by the run path of the program.
-constexpr const char* kName = "liblancret_procedural.so.1";
+constexpr const char* kName = "liblancret_procedural.so.2";
 
 std::string library_name() {
     const char* said = std::getenv("LANCRET_LIBRARY");
@@ -44,21 +44,21 @@ Plugin::Plugin() {
         throw InputError(fmt::format("{}: has version {} of the interface, expected {}",
                                      name, f.abi_version(), LANCRET_ABI_VERSION));
     }
-    find("lancret_create", f.create);
-    find("lancret_destroy", f.destroy);
-    find("lancret_open", f.open);
-    find("lancret_close", f.close);
-    find("lancret_get_info", f.get_info);
-    find("lancret_describe", f.describe);
-    find("lancret_get_head", f.get_head);
-    find("lancret_is_still", f.is_still);
-    find("lancret_bound", f.bound);
+    find("lancret_context_create", f.create);
+    find("lancret_context_destroy", f.destroy);
+    find("lancret_groom_open", f.open);
+    find("lancret_groom_close", f.close);
+    find("lancret_groom_get_info", f.get_info);
+    find("lancret_groom_describe", f.describe);
+    find("lancret_groom_get_head", f.get_head);
+    find("lancret_groom_is_still", f.is_still);
+    find("lancret_groom_get_chunk_box", f.bound);
     find("lancret_chunk_open", f.chunk_open);
-    find("lancret_chunk_sizes", f.chunk_sizes);
+    find("lancret_chunk_get_sizes", f.chunk_sizes);
     find("lancret_chunk_write", f.chunk_write);
     find("lancret_chunk_close", f.chunk_close);
-    find("lancret_get_chunk_info", f.get_chunk_info);
-    find("lancret_chunk_figures", f.chunk_figures);
+    find("lancret_chunk_get_info", f.get_chunk_info);
+    find("lancret_chunk_get_figures", f.chunk_figures);
 }
 
 }  // namespace lancret

@@ -12,21 +12,21 @@ namespace lancret {
 /// The interface's functions as the library has them.
 struct PluginFunctions {
     decltype(&lancret_abi_version) abi_version = nullptr;
-    decltype(&lancret_create) create = nullptr;
-    decltype(&lancret_destroy) destroy = nullptr;
-    decltype(&lancret_open) open = nullptr;
-    decltype(&lancret_close) close = nullptr;
-    decltype(&lancret_get_info) get_info = nullptr;
-    decltype(&lancret_describe) describe = nullptr;
-    decltype(&lancret_get_head) get_head = nullptr;
-    decltype(&lancret_is_still) is_still = nullptr;
-    decltype(&lancret_bound) bound = nullptr;
+    decltype(&lancret_context_create) create = nullptr;
+    decltype(&lancret_context_destroy) destroy = nullptr;
+    decltype(&lancret_groom_open) open = nullptr;
+    decltype(&lancret_groom_close) close = nullptr;
+    decltype(&lancret_groom_get_info) get_info = nullptr;
+    decltype(&lancret_groom_describe) describe = nullptr;
+    decltype(&lancret_groom_get_head) get_head = nullptr;
+    decltype(&lancret_groom_is_still) is_still = nullptr;
+    decltype(&lancret_groom_get_chunk_box) bound = nullptr;
     decltype(&lancret_chunk_open) chunk_open = nullptr;
-    decltype(&lancret_chunk_sizes) chunk_sizes = nullptr;
+    decltype(&lancret_chunk_get_sizes) chunk_sizes = nullptr;
     decltype(&lancret_chunk_write) chunk_write = nullptr;
     decltype(&lancret_chunk_close) chunk_close = nullptr;
-    decltype(&lancret_get_chunk_info) get_chunk_info = nullptr;
-    decltype(&lancret_chunk_figures) chunk_figures = nullptr;
+    decltype(&lancret_chunk_get_info) get_chunk_info = nullptr;
+    decltype(&lancret_chunk_get_figures) chunk_figures = nullptr;
 };
 
 /// A library that is loaded, as long as this lives.

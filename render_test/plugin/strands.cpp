@@ -104,9 +104,9 @@ lancret_options PluginStrands::options_of(std::size_t chunk) const {
     if (request_.faces || groom_.shape() == CurveShape::ribbon) {
         out.attributes = LANCRET_NORMALS;
     }
-    if (request_.strands_a_pixel > 0) {
+    if (request_.strands_per_pixel > 0) {
         out.pixels = request_.pixels[chunk];
-        out.strands_a_pixel = request_.strands_a_pixel;
+        out.strands_per_pixel = request_.strands_per_pixel;
     }
     return out;
 }

@@ -16,8 +16,8 @@ namespace lancret {
 struct StrandRequest {
     std::vector<double> times;  ///< frames, at least one
     bool faces = false;  ///< normals of strands that are no ribbons, which have them
-    std::vector<double> pixels;  ///< [chunks] that each covers, for:
-    double strands_a_pixel = 0;  ///< at most so many; 0: no level of detail
+    std::vector<double> pixels;    ///< [chunks] that each covers, for:
+    double strands_per_pixel = 0;  ///< at most so many; 0: no level of detail
 };
 
 /// Which guides strands follow, and how much.
@@ -44,8 +44,8 @@ class PluginStrands {
 
     /// The strands at each time, flat where the groom does not say. Throws InputError.
     std::vector<Curves> curves() const;
-    /// One of lancret_chunk_figures at one of the times; `curves` are any time's. Throws
-    /// InputError.
+    /// One of lancret_chunk_get_figures at one of the times; `curves` are any time's.
+    /// Throws InputError.
     StrandValues figures(int figure, std::size_t time, const Curves& curves) const;
     StrandGuides guides() const;
 

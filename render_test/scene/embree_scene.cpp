@@ -215,7 +215,7 @@ HairScene::HairScene(const Curves& curves, const TriangleMesh* mesh,
 
 HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& options)
     : impl_(std::make_unique<Impl>()) {
-    if (times.empty() || times.size() > kMostSceneTimes)
+    if (times.empty() || times.size() > kMaxSceneTimes)
         throw std::invalid_argument("a scene has 1 to 129 times");
     if (!times[0].curves) throw std::invalid_argument("a scene needs strands");
     check_indices(*times[0].curves, times[0].mesh);

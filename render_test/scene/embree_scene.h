@@ -89,7 +89,7 @@ struct SceneTime {
 };
 
 /// The most times of a moving scene; Embree's own limit.
-inline constexpr std::size_t kMostSceneTimes = 129;
+inline constexpr std::size_t kMaxSceneTimes = 129;
 
 /// Built once, then read by any number of threads. The control points are shared, not
 /// copied: `curves` must outlive the scene. The mesh is copied.
@@ -101,7 +101,7 @@ class HairScene {
                        const HairSceneOptions& options = {});
     /// A scene that moves: `times` are evenly spread from ray time 0 to 1, and control
     /// points and vertices are linear between them. One time is a scene that stands
-    /// still. Throws also where there is no time or more than kMostSceneTimes, or where
+    /// still. Throws also where there is no time or more than kMaxSceneTimes, or where
     /// times differ in anything but places, widths and UVs (those of the first count).
     explicit HairScene(std::span<const SceneTime> times,
                        const HairSceneOptions& options = {});

@@ -103,10 +103,10 @@ SmoothPlace smooth_place(const std::array<Vec3f, 3>& corners,
     const float length = sum.norm();
     if (!(length > 0.1f)) return {face, Vec3f::Zero()};
     out.normal = sum / length;
-    constexpr float kLeastCosine = 0.01f;
+    constexpr float kMinCosine = 0.01f;
     const float cosine = out.normal.dot(viewer);
-    if (cosine < kLeastCosine)
-        out.normal = (out.normal + (kLeastCosine - cosine) * viewer).normalized();
+    if (cosine < kMinCosine)
+        out.normal = (out.normal + (kMinCosine - cosine) * viewer).normalized();
     return out;
 }
 

@@ -99,7 +99,7 @@ std::optional<Lights> read_lights(const TomlTable& light, const Vec3f& up) {
     Environment environment(
         Vec3f(strength * sky.value_or(Vec3f::Constant(others ? 0.0f : 0.4f))));
     if (file) {
-        ColourMap map = read_colour_map(*file);
+        Texture map = read_colour_map(*file);
         for (Vec3f& texel : map.texels) texel *= strength;
         environment = Environment(std::move(map), up, rotation.value_or(0));
     }

@@ -19,7 +19,7 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
     set(out.render.samples, samples);
     out.samples_given = samples.has_value();
     set(out.render.noise, render.number("noise", 0, 10));
-    if (out.render.noise > 0 && !samples) out.render.samples = kMostAdaptiveSamples;
+    if (out.render.noise > 0 && !samples) out.render.samples = kMaxAdaptiveSamples;
     set(out.render.seed,
         render.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     set(out.render.path.max_depth, render.integer("max_depth", 1, 10000));
@@ -36,7 +36,7 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
                     "0.5], within 1000 and not closed before it opens");
     }
     set(out.motion_samples,
-        render.integer("motion_samples", 2, std::int64_t(kMostSceneTimes)));
+        render.integer("motion_samples", 2, std::int64_t(kMaxSceneTimes)));
 }
 
 void read_surfaces(const TomlTable& material, PreviewSettings& out) {

@@ -23,7 +23,7 @@ struct PreviewSettings {
     std::optional<Lights> lights;  ///< none: the default rig
     std::optional<Vec2> shutter;   ///< frames after the frame, opens <= closes; none: the
                                    ///< frame as it is, without motion blur
-    int motion_samples = 3;        ///< times in the shutter, 2 to kMostSceneTimes
+    int motion_samples = 3;        ///< times in the shutter, 2 to kMaxSceneTimes
     bool denoise = false;          ///< a finished picture (denoise.h)
     Vec3f background = Vec3f::Constant(0.18f);  ///< linear, behind a PNG
 };

@@ -15,10 +15,10 @@ Vec3f strand_colour(const CheckView& view, const Hit& hit) {
                                 : view.colours[hit.strand];
 }
 
-/// 1 where a surface faces the ray, kLeastShade where it is seen from its edge.
-float shade(float cosine) { return kLeastShade + (1 - kLeastShade) * std::abs(cosine); }
+/// 1 where a surface faces the ray, kMinShade where it is seen from its edge.
+float shade(float cosine) { return kMinShade + (1 - kMinShade) * std::abs(cosine); }
 
-constexpr int kMostLayers = 256;  // looked through
+constexpr int kMaxLayers = 256;  // looked through
 constexpr float kSeenThrough = 0.6f;
 
 bool is_clean(const CheckView& view, const Hit& hit) {
@@ -44,7 +44,7 @@ std::optional<Hit> first_behind(const CheckView& view, Ray ray, const Hit& front
     RayCounter apart{*view.apart->scene};
     int surfaces = 0;
     std::optional<Hit> hit;
-    for (int layer = 0; layer < kMostLayers; ++layer) {
+    for (int layer = 0; layer < kMaxLayers; ++layer) {
         hit = apart.intersect(ray);
         if (!hit) break;
         if (hit->kind == Hit::Kind::strand)

@@ -62,7 +62,7 @@ struct CheckView {
 
 /// How bright a strand is that runs at right angles to the sight is at its middle: its
 /// colour itself. Seen along it, or at its sides, it is no darker than this share.
-inline constexpr float kLeastShade = 0.3f;
+inline constexpr float kMinShade = 0.3f;
 
 /// What is seen at `hit`, which `ray` met: the strand's colour, darker where it turns
 /// away; the mesh in dark grey. No light is traced.

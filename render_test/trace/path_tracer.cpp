@@ -131,14 +131,14 @@ bool scatter(const RenderScene& scene, const PathSettings& settings, const Hit& 
 }
 
 /// What the camera sees: through strands that are thinner than they are drawn, on to the
-/// first that is not or until no more than kLeastLeft of the light is left. Of all that
+/// first that is not or until no more than kMinLeft of the light is left. Of all that
 /// it sees, `hit` is one, chosen by its share; `coverage` is the sum of the shares, and
 /// so has no noise.
 struct Seen {
     std::optional<Hit> hit;
     float coverage = 0;
 };
-constexpr float kLeastLeft = 1e-3f;
+constexpr float kMinLeft = 1e-3f;
 
 Seen first_seen(RayCounter& counter, Ray ray, Sampler& sampler) {
     Seen seen;
@@ -160,7 +160,7 @@ Seen first_seen(RayCounter& counter, Ray ray, Sampler& sampler) {
             continue;
         last = hit;
         float share = left * hit->opacity;
-        if (left - share < kLeastLeft) share = left;
+        if (left - share < kMinLeft) share = left;
         if (share > 0) {
             seen.coverage += share;
             const float chance = share / seen.coverage;

@@ -12,7 +12,7 @@
 namespace lancret {
 
 /// A sensible most for a noise to reach.
-inline constexpr int kMostAdaptiveSamples = 1024;
+inline constexpr int kMaxAdaptiveSamples = 1024;
 
 struct RenderSettings {
     int width = 640, height = 640;  ///< pixels

@@ -82,7 +82,7 @@ double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& poin
                                  std::size_t station, double weight, double scale) const {
     double energy = 0;
     for (int i = 0; i < strand_.near_counts[station]; ++i) {
-        const StrandNear& other = strand_.near[station * kMostNear + std::size_t(i)];
+        const StrandNear& other = strand_.near[station * kMaxNear + std::size_t(i)];
         const Vec3 away = point.place - (other.place - (1 - share_) * other.move);
         const double distance = away.norm(), w = weight * other.share;
         const double reach = 2 * strands_.radius;

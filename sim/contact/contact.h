@@ -79,7 +79,7 @@ class RodContact : public RodPotential {
   public:
     /// `anchors` ([segments * stations]) are the strand's own and `allowed` (as many, cm,
     /// >= 0) how deep into the penalty each station was in the groom. `near` has
-    /// kMostNear places for each station, `near_counts` says how many are used; empty
+    /// kMaxNear places for each station, `near_counts` says how many are used; empty
     /// without other strands. `places` are where the stations were at the step's begin.
     /// All are kept by reference for as long as this lives.
     struct Strand {
@@ -95,7 +95,7 @@ class RodContact : public RodPotential {
         /// The body that each of `allowed` is told of; empty: all.
         std::span<const int> allowed_bodies{};
     };
-    static constexpr int kMostNear = 4;
+    static constexpr int kMaxNear = 4;
 
     RodContact(const Colliders& colliders, const ContactSettings& settings,
                const StrandContactSettings& strands);

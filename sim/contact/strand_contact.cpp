@@ -33,7 +33,7 @@ void StrandNeighbours::find(const Guides& guides, std::span<const RodPast> pasts
     moves_.resize(all);
     tangents_.resize(all);
     strands_.resize(all);
-    near_.resize(all * RodContact::kMostNear);
+    near_.resize(all * RodContact::kMaxNear);
     counts_.resize(all);
     tbb::parallel_for(std::size_t(0), guides.size(), [&](std::size_t g) {
         const std::size_t first = g * per_guide_;
@@ -61,7 +61,7 @@ void StrandNeighbours::find(const Guides& guides, std::span<const RodPast> pasts
             const std::size_t other = found[i].point;
             // Each of a pair sees the other where it would go by itself, so each takes
             // half of what parts them.
-            near_[station * RodContact::kMostNear + i] = {
+            near_[station * RodContact::kMaxNear + i] = {
                 places_[other] + moves_[other], moves_[other], tangents_[other], 0.5};
         }
     });

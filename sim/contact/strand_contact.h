@@ -20,7 +20,7 @@ class StrandNeighbours {
     /// Of guide g, as RodContact::Strand wants them.
     std::span<const Vec3> places(std::size_t g) const { return of(places_, g, 1); }
     std::span<const StrandNear> near(std::size_t g) const {
-        return of(near_, g, RodContact::kMostNear);
+        return of(near_, g, RodContact::kMaxNear);
     }
     std::span<const std::uint8_t> counts(std::size_t g) const {
         return of(counts_, g, 1);

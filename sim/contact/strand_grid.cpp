@@ -15,13 +15,13 @@ namespace lancret {
 
 namespace {
 
-constexpr std::size_t kMostPoints = std::size_t(1) << 30;
+constexpr std::size_t kMaxPoints = std::size_t(1) << 30;
 constexpr std::size_t kChunk = 1024;
 
 /// A cell is a little wider than the radius, in radii: the number of a place's cell is
 /// off by 1.2e-6 at most where it is up to 1e10, so places within a radius are in cells
 /// that touch.
-constexpr double kMostRadii = 1e10, kCellWidth = 1 + 1e-5;
+constexpr double kMaxRadii = 1e10, kCellWidth = 1 + 1e-5;
 
 /// The cell of a place: whole numbers, as doubles, for a place may be any number of cells
 /// away.
@@ -42,7 +42,7 @@ std::uint64_t cell_hash(const Vec3& cell) {
 
 void StrandGrid::find(std::span<const Vec3> points,
                       std::span<const std::uint32_t> strands, double radius) {
-    if (points.size() != strands.size() || points.size() > kMostPoints) {
+    if (points.size() != strands.size() || points.size() > kMaxPoints) {
         throw std::invalid_argument(
             "StrandGrid: a strand for each of at most 2^30 points");
     }
@@ -51,20 +51,19 @@ void StrandGrid::find(std::span<const Vec3> points,
     }
     // Written so that a NaN fails.
     if (!std::ranges::all_of(points, [&](const Vec3& p) {
-            return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMostRadii * radius;
+            return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxRadii * radius;
         })) {
         throw std::invalid_argument(
             "StrandGrid: a point is within 1e10 radii of the origin");
     }
     sort_into_buckets(points, strands, kCellWidth * radius);
-    neighbours_.resize(kMost * points.size());
+    neighbours_.resize(kMax * points.size());
     counts_.resize(points.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kChunk),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              counts_[i] =
-                                  std::uint8_t(search(points[i], strands[i], radius,
-                                                      &neighbours_[kMost * i]));
+                              counts_[i] = std::uint8_t(search(
+                                  points[i], strands[i], radius, &neighbours_[kMax * i]));
                           }
                       });
 }
@@ -105,7 +104,7 @@ std::uint32_t StrandGrid::search(const Vec3& place, std::uint32_t strand, double
                                                 : point < other.point;
         }
     };
-    std::array<Found, kMost> best{};
+    std::array<Found, kMax> best{};
     int count = 0;
     const auto offer = [&](const Found& found) {
         // Where it goes, unless its strand is there already and nearer.
@@ -114,12 +113,12 @@ std::uint32_t StrandGrid::search(const Vec3& place, std::uint32_t strand, double
             if (best[at].strand == found.strand) return;
             ++at;
         }
-        if (at == kMost) return;
+        if (at == kMax) return;
         // What it pushes out: its own strand's further point, else the furthest of all.
         int gone = at;
         while (gone < count && best[gone].strand != found.strand) ++gone;
-        if (gone == count && count < kMost) ++count;
-        gone = std::min(gone, kMost - 1);
+        if (gone == count && count < kMax) ++count;
+        gone = std::min(gone, kMax - 1);
         std::copy_backward(best.begin() + at, best.begin() + gone,
                            best.begin() + gone + 1);
         best[at] = found;

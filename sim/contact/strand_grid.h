@@ -22,7 +22,7 @@ struct StrandNeighbour {
 class StrandGrid {
   public:
     /// Neighbours that a point has at most: of more strands the nearest are kept.
-    static constexpr int kMost = 4;
+    static constexpr int kMax = 4;
 
     /// Finds all neighbours. `strands` says which strand each point is of (any numbers),
     /// and neighbours are within `radius` (cm, > 0) inclusive. Of points at equal
@@ -36,7 +36,7 @@ class StrandGrid {
     /// Of `point`, the nearest first, each of a strand of its own. Valid until the next
     /// find.
     std::span<const StrandNeighbour> neighbours(std::size_t point) const {
-        return {&neighbours_[kMost * point], counts_[point]};
+        return {&neighbours_[kMax * point], counts_[point]};
     }
 
   private:
@@ -53,7 +53,7 @@ class StrandGrid {
     std::vector<std::uint32_t> keys_;          ///< [points], the bucket of each
     std::vector<std::uint32_t> begins_;        ///< [buckets + 1], of each in entries_
     std::vector<Entry> entries_;               ///< [points], by bucket
-    std::vector<StrandNeighbour> neighbours_;  ///< [points * kMost]
+    std::vector<StrandNeighbour> neighbours_;  ///< [points * kMax]
     std::vector<std::uint8_t> counts_;         ///< [points]
 };
 

@@ -69,7 +69,7 @@ void RodBranch::restart(double weight, const Eigen::VectorXd& q) {
 }
 
 bool RodBranch::step_to(double weight) {
-    constexpr int kMostIterations = 8;
+    constexpr int kMaxIterations = 8;
     const Eigen::VectorXd before = q_;
     const double weight_before = weight_;
     const double reach = 0.3 + 0.1 * size(before);
@@ -85,7 +85,7 @@ bool RodBranch::step_to(double weight) {
         if (!good) break;
         const Eigen::VectorXd correction = -solve(gradient_);
         const double moved = size(correction);
-        good = moved < converged || (moved < 0.5 * last && iterations_ < kMostIterations);
+        good = moved < converged || (moved < 0.5 * last && iterations_ < kMaxIterations);
         if (!good) break;
         q += correction;
         last = moved;

@@ -9,7 +9,7 @@ namespace lancret {
 
 namespace {
 
-constexpr int kMostIterations = 2000, kMostEscapes = 50;
+constexpr int kMaxIterations = 2000, kMaxEscapes = 50;
 
 /// The search, in x = D^(1/2) q: the elastic Hessian is I there.
 class Search {
@@ -27,7 +27,7 @@ class Search {
     /// True when stationary.
     bool go_down(int& iterations) {
         const double small = unit_ * (1e-11 + 1e-15 * weight_);
-        for (; iterations < kMostIterations; ++iterations) {
+        for (; iterations < kMaxIterations; ++iterations) {
             if (gradient_.norm() < small) return true;
             if (!step_down()) return gradient_.norm() < 1e4 * small;
         }
@@ -141,7 +141,7 @@ RodMinimum rod_minimum(const HangingRod& rod, const Eigen::VectorXd& start,
             out.smallest_eigenvalue > -neutral_eigenvalue(rod)) {
             break;
         }
-        if (out.escapes == kMostEscapes ||
+        if (out.escapes == kMaxEscapes ||
             !search.leave(way_out(spectrum, search.scale()), out.smallest_eigenvalue)) {
             out.converged = false;
             break;

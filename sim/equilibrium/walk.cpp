@@ -8,7 +8,7 @@ namespace lancret {
 
 bool walk_branch(RodBranch& branch, const HangingRod& rod, double most, double growth,
                  const std::function<bool(WalkEvent)>& visit) {
-    constexpr int kMostSteps = 5000, kMostSnaps = 100;
+    constexpr int kMaxSteps = 5000, kMaxSnaps = 100;
     // A step below this share of the weight is no step: the branch turns back.
     constexpr double kShortest = 1e-9;
     // The weight at which bending begins to be felt.
@@ -16,7 +16,7 @@ bool walk_branch(RodBranch& branch, const HangingRod& rod, double most, double g
     double step = first;
     int snaps = 0;
     for (int i = 0; branch.weight() < most; ++i) {
-        if (i == kMostSteps) return false;
+        if (i == kMaxSteps) return false;
         step = std::min(step, std::max(first, growth * branch.weight()));
         if (branch.step_to(std::min(most, branch.weight() + step))) {
             if (branch.iterations() <= 3) step *= 2;
@@ -24,7 +24,7 @@ bool walk_branch(RodBranch& branch, const HangingRod& rod, double most, double g
         } else if (step > kShortest * std::max(first, branch.weight())) {
             step /= 2;
         } else {
-            if (snaps++ == kMostSnaps || !visit(WalkEvent::fold)) return false;
+            if (snaps++ == kMaxSnaps || !visit(WalkEvent::fold)) return false;
             HangingRod heavier = rod;
             const double over = std::min(most, 1.001 * branch.weight() + 0.01 * first);
             heavier.gravity *= over;

@@ -57,10 +57,10 @@ void RodPast::push(const HelixState<double>& root, std::span<const Vec3> curvatu
                    double step) {
     if (step != eps) size = 0;
     eps = step;
-    std::rotate(poses, poses + kMost - 1, poses + kMost);
+    std::rotate(poses, poses + kMax - 1, poses + kMax);
     poses[0].root = root;
     poses[0].curvatures.assign(curvatures.begin(), curvatures.end());
-    size = std::min(size + 1, kMost);
+    size = std::min(size + 1, kMax);
 }
 
 void RodStepper::places_of(const Rod& rod, const RodPose& pose, Motion& motion) {
@@ -171,7 +171,7 @@ StepReport RodStepper::minimize(const Rod& rod, const StepSettings& settings,
         report.solved = last_solve_.solved && is_finite(change_);
         if (!report.solved) break;
         // Half as far as long as the energy would rise by more than round-off.
-        constexpr int kMostHalvings = 12;
+        constexpr int kMaxHalvings = 12;
         const double allowed = value + 1e-13 * std::abs(value);
         double share = 1, next = 0;
         int halvings = 0;
@@ -180,7 +180,7 @@ StepReport RodStepper::minimize(const Rod& rod, const StepSettings& settings,
                 tried_[q] = curvatures[q] + share * change_[q];
             }
             next = linearize(rod, to, tried_, h, potential);
-            if (next <= allowed || halvings == kMostHalvings) break;
+            if (next <= allowed || halvings == kMaxHalvings) break;
         }
         report.shortened += halvings > 0;
         if (!(next <= allowed)) {

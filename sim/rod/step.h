@@ -67,10 +67,10 @@ struct StepReport {
 /// The poses of a rod before the one at hand, one step apart, latest first: what
 /// velocities are told by, and all that a restart needs.
 struct RodPast {
-    static constexpr int kMost = 4;
+    static constexpr int kMax = 4;
     int size = 0;    ///< how many of `poses` there are
     double eps = 0;  ///< the step between them, s
-    RodPose poses[kMost];
+    RodPose poses[kMax];
 
     void push(const HelixState<double>& root, std::span<const Vec3> curvatures,
               double step);

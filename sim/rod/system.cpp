@@ -41,8 +41,8 @@ struct BlocksView {
     VectorMap darboux, start, offset, load, moment_load, force_load;
     MatrixMap frame, turn, move, gram, moment, force, aa, al, ll;
 };
-using View = BlocksView<RodBlocks, Mat3, Vec3>;
-using ConstView = BlocksView<const RodBlocks, const Mat3, const Vec3>;
+using View = BlocksView<SegmentBlock, Mat3, Vec3>;
+using ConstView = BlocksView<const SegmentBlock, const Mat3, const Vec3>;
 
 /// What follows a joint, seen as a body that is held there.
 struct Composite {
@@ -71,7 +71,7 @@ void RodSystem::linearize(const HelixState<double>& root, std::span<const double
     quadrature.frame = root.frame;
     quadrature.start = root.position;
     for (int q = 0; q < segments(); ++q) {
-        RodBlocks& s = segments_[std::size_t(q)];
+        SegmentBlock& s = segments_[std::size_t(q)];
         quadrature.darboux = curvatures[std::size_t(q)];
         quadrature.length = lengths[std::size_t(q)];
         quadrature.points = layout.points(q);

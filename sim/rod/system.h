@@ -29,7 +29,7 @@ class RodSystem {
     int segments() const { return int(segments_.size()); }
     /// Frame and place at the start of a segment, in space.
     HelixState<double> start(int segment) const {
-        const RodBlocks& s = segments_[std::size_t(segment)];
+        const SegmentBlock& s = segments_[std::size_t(segment)];
         return {Mat3::Map(s.frame), Vec3::Map(s.start)};
     }
 
@@ -61,7 +61,7 @@ class RodSystem {
                   Eigen::MatrixXd& matrix, Eigen::VectorXd& force) const;
 
   private:
-    std::vector<RodBlocks> segments_;
+    std::vector<SegmentBlock> segments_;
     double half_square_ = 0;
 };
 

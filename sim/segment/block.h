@@ -6,7 +6,7 @@ namespace lancret {
 
 /// A segment of a RodSystem. Matrices by columns, in space where nothing else is said;
 /// moments and inertia about the segment's start.
-struct RodBlocks {
+struct SegmentBlock {
     double darboux[3], length;
     double frame[9], start[3];   ///< at its start
     double offset[3];            ///< from its start to its end

@@ -13,10 +13,10 @@ namespace lancret {
 namespace {
 
 struct Table {
-    std::array<std::vector<double>, kMostGaussPoints + 1> nodes, weights;
+    std::array<std::vector<double>, kMaxGaussPoints + 1> nodes, weights;
 
     Table() {
-        for (int n = 1; n <= kMostGaussPoints; ++n) make(n);
+        for (int n = 1; n <= kMaxGaussPoints; ++n) make(n);
     }
 
     /// The roots of Legendre's polynomial P_n by Newton's method; they lie in pairs about
@@ -47,15 +47,15 @@ struct Table {
 
 GaussRule gauss_rule(int n) {
     static const Table table;
-    assert(n >= 1 && n <= kMostGaussPoints);
+    assert(n >= 1 && n <= kMaxGaussPoints);
     return {table.nodes[n], table.weights[n]};
 }
 
 int gauss_points(double turn) {
     // Compared before it is rounded: a turn may be any number.
-    if (!(turn < kMostGaussPoints - 5)) return kMostGaussPoints;
+    if (!(turn < kMaxGaussPoints - 5)) return kMaxGaussPoints;
     const int points = 5 + int(std::ceil(turn));
-    return std::clamp((points + 3) / 4 * 4, 8, kMostGaussPoints);
+    return std::clamp((points + 3) / 4 * 4, 8, kMaxGaussPoints);
 }
 
 }  // namespace lancret

@@ -6,18 +6,18 @@
 namespace lancret {
 
 /// The most points of a rule.
-inline constexpr int kMostGaussPoints = 32;
+inline constexpr int kMaxGaussPoints = 32;
 
 struct GaussRule {
     std::span<const double> nodes;    ///< ascending, in (0, 1)
     std::span<const double> weights;  ///< positive, sum 1
 };
 
-/// The rule of n points, 1 <= n <= kMostGaussPoints: exact for degree 2n - 1.
+/// The rule of n points, 1 <= n <= kMaxGaussPoints: exact for degree 2n - 1.
 GaussRule gauss_rule(int n);
 
 /// How many points integrate a segment that turns by `turn` = |k| l: 5 + turn, rounded up
-/// to whole groups of four, from 8 to kMostGaussPoints. The relative error of all segment
+/// to whole groups of four, from 8 to kMaxGaussPoints. The relative error of all segment
 /// integrals is then below 1e-10 for turns up to 25.
 int gauss_points(double turn);
 

@@ -47,10 +47,10 @@ struct StartMotion {
 struct SegmentLoops {
     void (*sums)(const SegmentLoop&, double* sums);
     /// Inertia and loads of a segment in space, from its sums and its frame.
-    void (*to_space)(const double* sums, double weight, RodBlocks&);
+    void (*to_space)(const double* sums, double weight, SegmentBlock&);
     /// The recursion from tip to root and back; `diagonal`, `load` and `x` are
     /// [segments][3].
-    void (*solve)(RodBlocks*, int segments, const double* diagonal, const double* load,
+    void (*solve)(SegmentBlock*, int segments, const double* diagonal, const double* load,
                   double* x);
     void (*places)(const SegmentLoop&, const RateVectors&, double* out,
                    std::size_t stride);

@@ -43,7 +43,7 @@ RateVectors rate_vectors(const Vec3& k, const Vec3& rate) {
 }  // namespace
 
 double segment_blocks(const SegmentQuadrature& segment, double weight,
-                      RodBlocks& blocks) {
+                      SegmentBlock& blocks) {
     double sums[kSegmentSums + 1];  // room for a load of four numbers from the end
     loops().sums(loop_of(segment), sums);
     Mat3::Map(blocks.frame) = segment.frame;
@@ -52,7 +52,7 @@ double segment_blocks(const SegmentQuadrature& segment, double weight,
     return weight * sums[kSquareSum] / 2;
 }
 
-void solve_recursion(std::span<RodBlocks> segments, const double* diagonal,
+void solve_recursion(std::span<SegmentBlock> segments, const double* diagonal,
                      const double* load, double* x) {
     loops().solve(segments.data(), int(segments.size()), diagonal, load, x);
 }

@@ -27,10 +27,11 @@ struct SegmentQuadrature {
 /// The integrals over a segment as blocks in space, without darboux, length and what the
 /// segment does to its end. `weight` is that of the whole segment. Gives
 /// weight |target - place|^2 / 2, averaged over the segment.
-double segment_blocks(const SegmentQuadrature& segment, double weight, RodBlocks& blocks);
+double segment_blocks(const SegmentQuadrature& segment, double weight,
+                      SegmentBlock& blocks);
 
 /// The recursion of RodSystem::solve; `diagonal`, `load` and `x` are [segments][3].
-void solve_recursion(std::span<RodBlocks> segments, const double* diagonal,
+void solve_recursion(std::span<SegmentBlock> segments, const double* diagonal,
                      const double* load, double* x);
 
 /// Places of the points in space, cm, [3][points]: structure of arrays with the given

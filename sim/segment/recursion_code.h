@@ -118,7 +118,7 @@ struct Composite {
     }
 };
 
-void to_space(const double* sums, double weight, RodBlocks& s) {
+void to_space(const double* sums, double weight, SegmentBlock& s) {
     const Columns frame = Columns::load(s.frame);
     const Lanes w(weight);
     const double* g = sums + kGramSum;
@@ -148,11 +148,11 @@ void to_space(const double* sums, double weight, RodBlocks& s) {
     (w * product(frame, Lanes::load(sums + kForceSum))).store3(s.force_load);
 }
 
-void solve(RodBlocks* segments, int count, const double* diagonal, const double* load,
+void solve(SegmentBlock* segments, int count, const double* diagonal, const double* load,
            double* x) {
     Composite beyond;
     for (int q = count; q-- > 0;) {
-        RodBlocks& s = segments[q];
+        SegmentBlock& s = segments[q];
         const Columns turn = Columns::load(s.turn), move = Columns::load(s.move);
         const Columns turn_t = turn.transpose(), move_t = move.transpose();
         const Columns angular = product(beyond.aa, turn) + product(beyond.al, move);
@@ -191,7 +191,7 @@ void solve(RodBlocks* segments, int count, const double* diagonal, const double*
     }
     Lanes angular, linear;
     for (int q = 0; q < count; ++q) {
-        const RodBlocks& s = segments[q];
+        const SegmentBlock& s = segments[q];
         double z[4];
         (Lanes::load(s.z) - product(Columns::load(s.wa).transpose(), angular) -
          product(Columns::load(s.wl).transpose(), linear))

@@ -146,7 +146,7 @@ TEST(PluginArrays, EvaluationSaysWhatTheBlendsAreWorth) {
     const auto source = text_source(groom);
     char error[256];
     ASSERT_EQ(
-        lancret_evaluate(
+        lancret_context_evaluate(
             context.get(), &source,
             [](void* user, const char* json) { *static_cast<std::string*>(user) = json; },
             &text, error, sizeof error),

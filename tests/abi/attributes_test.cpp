@@ -36,8 +36,8 @@ TEST(PluginAttributes, StrandsHaveThoseOfTheLibrary) {
     const auto groom = opened(context.get(), kSmallGroom);
     GroomSource source;
     source.text = kSmallGroom;
-    const Generator generator = make_generator(read_groom_source(source).groom);
-    const Binding& binding = generator.binding;
+    const ReadyGroom ready = make_ready_groom(read_groom_source(source).groom);
+    const Binding& binding = ready.binding;
     const auto strands = expanded(groom.get(), some_options(LANCRET_LINEAR, kAll));
     ASSERT_EQ(strands.size(), binding.size());
     const std::size_t k = binding.neighbours;

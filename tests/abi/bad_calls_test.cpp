@@ -19,31 +19,39 @@ TEST(PluginCalls, NullsAreRefused) {
     lancret_groom* out = nullptr;
     const auto source = text_source(kSmallGroom);
     float box[6];
-    EXPECT_EQ(lancret_create(LANCRET_ABI_VERSION, nullptr, nullptr), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_open(nullptr, &source, &out, nullptr, 0), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_open(context.get(), nullptr, &out, nullptr, 0), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_open(context.get(), &source, nullptr, nullptr, 0),
+    EXPECT_EQ(lancret_context_create(LANCRET_ABI_VERSION, nullptr, nullptr),
               LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_get_info(groom.get(), nullptr), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_get_info(nullptr, nullptr), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_get_guides(groom.get(), nullptr), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_expand(groom.get(), 0, nullptr, nullptr, nullptr),
+    EXPECT_EQ(lancret_groom_open(nullptr, &source, &out, nullptr, 0), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_open(context.get(), nullptr, &out, nullptr, 0),
               LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_expand(nullptr, 0, nullptr, ignore, nullptr), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_bound(groom.get(), 0, nullptr, LANCRET_REACH, nullptr),
+    EXPECT_EQ(lancret_groom_open(context.get(), &source, nullptr, nullptr, 0),
               LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_bound(groom.get(), 0, nullptr, 7, box), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_get_info(groom.get(), nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_get_info(nullptr, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_get_guides(groom.get(), nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, nullptr, nullptr, nullptr),
+              LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_expand_chunk(nullptr, 0, nullptr, ignore, nullptr),
+              LANCRET_BAD_CALL);
+    EXPECT_EQ(
+        lancret_groom_get_chunk_box(groom.get(), 0, nullptr, LANCRET_REACH, nullptr),
+        LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_get_chunk_box(groom.get(), 0, nullptr, 7, box),
+              LANCRET_BAD_CALL);
     EXPECT_EQ(lancret_chunk_open(groom.get(), 0, nullptr, nullptr), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_chunk_sizes(nullptr, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_chunk_get_sizes(nullptr, nullptr), LANCRET_BAD_CALL);
     EXPECT_EQ(lancret_chunk_write(nullptr, nullptr), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_check_chunk(groom.get(), 0, nullptr, nullptr), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_evaluate(context.get(), &source, nullptr, nullptr, nullptr, 0),
+    EXPECT_EQ(lancret_groom_check_chunk(groom.get(), 0, nullptr, nullptr),
               LANCRET_BAD_CALL);
-    lancret_close(nullptr);
+    EXPECT_EQ(
+        lancret_context_evaluate(context.get(), &source, nullptr, nullptr, nullptr, 0),
+        LANCRET_BAD_CALL);
+    lancret_groom_close(nullptr);
     lancret_chunk_close(nullptr);
-    lancret_destroy(nullptr);
+    lancret_context_destroy(nullptr);
     // And the defaults of no options at all.
-    EXPECT_EQ(lancret_expand(groom.get(), 0, nullptr, ignore, nullptr), LANCRET_OK);
+    EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, nullptr, ignore, nullptr),
+              LANCRET_OK);
 }
 
 TEST(PluginCalls, OptionsOutOfRangeAreRefused) {
@@ -52,7 +60,7 @@ TEST(PluginCalls, OptionsOutOfRangeAreRefused) {
     const auto status = [&](auto change) {
         auto options = some_options(LANCRET_BSPLINE);
         change(options);
-        return lancret_expand(groom.get(), 0, &options, ignore, nullptr);
+        return lancret_groom_expand_chunk(groom.get(), 0, &options, ignore, nullptr);
     };
     const double never = kNaN;
     EXPECT_EQ(status([](auto&) {}), LANCRET_OK);
@@ -72,7 +80,8 @@ TEST(PluginCalls, OptionsOutOfRangeAreRefused) {
               LANCRET_BAD_CALL);
     EXPECT_EQ(status([&](auto& o) { o.times = &never, o.time_count = 65; }),
               LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_expand(groom.get(), 1, nullptr, ignore, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 1, nullptr, ignore, nullptr),
+              LANCRET_BAD_CALL);
 }
 
 TEST(PluginCalls, SizesTellOldCallersFromNew) {
@@ -82,12 +91,13 @@ TEST(PluginCalls, SizesTellOldCallersFromNew) {
     lancret_options options = some_options(LANCRET_BSPLINE);
     options.size = offsetof(lancret_options, max_error);
     options.density = kNaN;
-    EXPECT_EQ(lancret_expand(groom.get(), 0, &options, ignore, nullptr), LANCRET_OK);
+    EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, &options, ignore, nullptr),
+              LANCRET_OK);
     options.size = 0;
-    EXPECT_EQ(lancret_expand(groom.get(), 0, &options, ignore, nullptr),
+    EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, &options, ignore, nullptr),
               LANCRET_BAD_CALL);
     options.size = std::size_t(-1);
-    EXPECT_EQ(lancret_expand(groom.get(), 0, &options, ignore, nullptr),
+    EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, &options, ignore, nullptr),
               LANCRET_BAD_CALL);
     // One from later: what the library does not know must be nothing.
     struct Later {
@@ -95,15 +105,16 @@ TEST(PluginCalls, SizesTellOldCallersFromNew) {
         double more[2];
     } later{some_options(LANCRET_BSPLINE), {0, 0}};
     later.known.size = sizeof later;
-    EXPECT_EQ(lancret_expand(groom.get(), 0, &later.known, ignore, nullptr), LANCRET_OK);
+    EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, &later.known, ignore, nullptr),
+              LANCRET_OK);
     later.more[1] = 1;
-    EXPECT_EQ(lancret_expand(groom.get(), 0, &later.known, ignore, nullptr),
+    EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, &later.known, ignore, nullptr),
               LANCRET_BAD_CALL);
     // Nothing is written past what the caller knows.
     lancret_info info{};
     info.size = offsetof(lancret_info, guides);
     info.guides = 12345;
-    EXPECT_EQ(lancret_get_info(groom.get(), &info), LANCRET_OK);
+    EXPECT_EQ(lancret_groom_get_info(groom.get(), &info), LANCRET_OK);
     EXPECT_EQ(info.strands, 3000u);
     EXPECT_EQ(info.guides, 12345u);
     EXPECT_EQ(info.size, offsetof(lancret_info, guides));
@@ -119,7 +130,7 @@ TEST(PluginCalls, ErrorsNameFileAndLine) {
     EXPECT_EQ(out.error.find("some/head.toml:3: unknown key 'widht'"), 0u) << out.error;
     char small[10];
     lancret_groom* groom = nullptr;
-    EXPECT_EQ(lancret_open(context.get(), &source, &groom, small, sizeof small),
+    EXPECT_EQ(lancret_groom_open(context.get(), &source, &groom, small, sizeof small),
               LANCRET_BAD_INPUT);
     EXPECT_STREQ(small, "some/head");
     EXPECT_EQ(groom, nullptr);
@@ -194,7 +205,7 @@ TEST(PluginCalls, BuffersOffTheirAlignmentAreRefused) {
     ASSERT_EQ(lancret_chunk_open(groom.get(), 0, &options, &chunk), LANCRET_OK);
     lancret_curves curves{};
     curves.size = sizeof curves;
-    ASSERT_EQ(lancret_chunk_sizes(chunk, &curves), LANCRET_OK);
+    ASSERT_EQ(lancret_chunk_get_sizes(chunk, &curves), LANCRET_OK);
     std::vector<float> room(4 * std::size_t(curves.points) + 8);
     const auto off = reinterpret_cast<std::uintptr_t>(room.data()) % 16 / sizeof(float);
     const float* aligned = room.data() + (4 - off) % 4;

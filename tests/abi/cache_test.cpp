@@ -129,7 +129,7 @@ TEST_F(PluginCache, AChunkOutlivesItsGroom) {
     groom.reset();
     lancret_curves curves{};
     curves.size = sizeof curves;
-    ASSERT_EQ(lancret_chunk_sizes(chunk, &curves), LANCRET_OK);
+    ASSERT_EQ(lancret_chunk_get_sizes(chunk, &curves), LANCRET_OK);
     ASSERT_EQ(4 * std::size_t(curves.points), expected.size());
     std::vector<Point4f> points(curves.points);
     const float* positions[] = {&points[0].x};

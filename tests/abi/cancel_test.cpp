@@ -48,7 +48,7 @@ TEST(PluginCancel, OkMeansThatItWasDone) {
         cancelled += status == LANCRET_CANCELLED;
         lancret_info info{};
         info.size = sizeof info;
-        const lancret_status informed = lancret_get_info(groom.get(), &info);
+        const lancret_status informed = lancret_groom_get_info(groom.get(), &info);
         ASSERT_TRUE(informed == LANCRET_CANCELLED || informed == LANCRET_OK);
         ASSERT_EQ(info.chunks > 0, informed == LANCRET_OK);
     }
@@ -98,10 +98,10 @@ TEST(PluginCancel, ASinksOwnLoopsAreNotCut) {
             return LANCRET_OK;
         }
     } told{&watch};
-    EXPECT_EQ(lancret_describe(groom.get(), Told::text, &told), LANCRET_OK);
+    EXPECT_EQ(lancret_groom_describe(groom.get(), Told::text, &told), LANCRET_OK);
     EXPECT_EQ(told.turns, 100);
     watch.stop = false;
-    EXPECT_EQ(lancret_get_head(groom.get(), 0, Told::mesh, &told), LANCRET_OK);
+    EXPECT_EQ(lancret_groom_get_head(groom.get(), 0, Told::mesh, &told), LANCRET_OK);
     EXPECT_EQ(told.turns, 200);
 }
 

@@ -59,23 +59,23 @@ static struct {
 static void load_all(void *library) {
     load(library, "lancret_version", &lancret.version);
     load(library, "lancret_abi_version", &lancret.abi_version);
-    load(library, "lancret_create", &lancret.create);
-    load(library, "lancret_destroy", &lancret.destroy);
-    load(library, "lancret_open", &lancret.open);
-    load(library, "lancret_close", &lancret.close);
-    load(library, "lancret_get_info", &lancret.get_info);
-    load(library, "lancret_get_guides", &lancret.get_guides);
-    load(library, "lancret_bound", &lancret.bound);
-    load(library, "lancret_expand", &lancret.expand);
+    load(library, "lancret_context_create", &lancret.create);
+    load(library, "lancret_context_destroy", &lancret.destroy);
+    load(library, "lancret_groom_open", &lancret.open);
+    load(library, "lancret_groom_close", &lancret.close);
+    load(library, "lancret_groom_get_info", &lancret.get_info);
+    load(library, "lancret_groom_get_guides", &lancret.get_guides);
+    load(library, "lancret_groom_get_chunk_box", &lancret.bound);
+    load(library, "lancret_groom_expand_chunk", &lancret.expand);
     load(library, "lancret_chunk_open", &lancret.chunk_open);
-    load(library, "lancret_chunk_sizes", &lancret.chunk_sizes);
+    load(library, "lancret_chunk_get_sizes", &lancret.chunk_sizes);
     load(library, "lancret_chunk_write", &lancret.chunk_write);
     load(library, "lancret_chunk_close", &lancret.chunk_close);
-    load(library, "lancret_describe", &lancret.describe);
-    load(library, "lancret_get_head", &lancret.get_head);
-    load(library, "lancret_is_still", &lancret.is_still);
-    load(library, "lancret_get_chunk_info", &lancret.get_chunk_info);
-    load(library, "lancret_chunk_figures", &lancret.chunk_figures);
+    load(library, "lancret_groom_describe", &lancret.describe);
+    load(library, "lancret_groom_get_head", &lancret.get_head);
+    load(library, "lancret_groom_is_still", &lancret.is_still);
+    load(library, "lancret_chunk_get_info", &lancret.get_chunk_info);
+    load(library, "lancret_chunk_get_figures", &lancret.chunk_figures);
 }
 
 /* What a sink sees, to be compared with what a buffer holds. */

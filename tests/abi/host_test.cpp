@@ -75,7 +75,8 @@ TEST(PluginHost, HalfAnAllocatorIsRefused) {
     lancret_host host = CountingHost().host();
     host.release = nullptr;
     lancret_context* context = nullptr;
-    EXPECT_EQ(lancret_create(LANCRET_ABI_VERSION, &host, &context), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_context_create(LANCRET_ABI_VERSION, &host, &context),
+              LANCRET_BAD_CALL);
     EXPECT_EQ(context, nullptr);
 }
 
@@ -150,7 +151,7 @@ TEST(PluginHost, GroomsOfOneSourceShareWhatWasLoaded) {
     const auto guides = [](const GroomHandle& groom) {
         lancret_guides out{};
         out.size = sizeof out;
-        EXPECT_EQ(lancret_get_guides(groom.get(), &out), LANCRET_OK);
+        EXPECT_EQ(lancret_groom_get_guides(groom.get(), &out), LANCRET_OK);
         return out.curvatures;
     };
     EXPECT_EQ(guides(first), guides(second));

@@ -85,18 +85,21 @@ void use_once(const std::string& path) {
     lancret_context* context = nullptr;
     lancret_groom* groom = nullptr;
     const auto source = text_source(kSmallGroom);
-    ASSERT_EQ(get(&lancret_create, "lancret_create")(1, nullptr, &context), LANCRET_OK);
-    ASSERT_EQ(get(&lancret_open, "lancret_open")(context, &source, &groom, nullptr, 0),
+    ASSERT_EQ(
+        get(&lancret_context_create, "lancret_context_create")(1, nullptr, &context),
+        LANCRET_OK);
+    ASSERT_EQ(get(&lancret_groom_open, "lancret_groom_open")(context, &source, &groom,
+                                                             nullptr, 0),
               LANCRET_OK);
     const auto options = some_options(LANCRET_BSPLINE);
     ASSERT_EQ(
-        get(&lancret_expand, "lancret_expand")(
+        get(&lancret_groom_expand_chunk, "lancret_groom_expand_chunk")(
             groom, 0, &options,
             [](void*, const lancret_curves*) -> lancret_status { return LANCRET_OK; },
             nullptr),
         LANCRET_OK);
-    get(&lancret_close, "lancret_close")(groom);
-    get(&lancret_destroy, "lancret_destroy")(context);
+    get(&lancret_groom_close, "lancret_groom_close")(groom);
+    get(&lancret_context_destroy, "lancret_context_destroy")(context);
     ASSERT_EQ(dlclose(library), 0);
 }
 

@@ -64,36 +64,36 @@ TEST(PluginMemory, RefusedAnywhereIsAStatus) {
         return out;
     });
     refuse_everywhere("expand", 400, [&] {
-        return lancret_expand(
+        return lancret_groom_expand_chunk(
             g, 0, &options,
             [](void*, const lancret_curves*) -> lancret_status { return LANCRET_OK; },
             nullptr);
     });
     refuse_everywhere("bound", 400, [&] {
         float box[6];
-        return lancret_bound(g, 0, &options, LANCRET_TIGHT, box);
+        return lancret_groom_get_chunk_box(g, 0, &options, LANCRET_TIGHT, box);
     });
     refuse_everywhere("check_chunk", 400, [&] {
         lancret_check check{};
         check.size = sizeof check;
-        return lancret_check_chunk(g, 0, &options, &check);
+        return lancret_groom_check_chunk(g, 0, &options, &check);
     });
     const lancret_source source = text_source(kTinyGroom);
-    // Only at its first place, nor lancret_describe and _evaluate at all: the libraries
-    // of TOML and JSON ask for memory where they may not throw.
+    // Only at its first place, nor lancret_groom_describe and _evaluate at all: the
+    // libraries of TOML and JSON ask for memory where they may not throw.
     refuse_everywhere("open", 1, [&] {
         // A context of its own shares nothing with the groom above.
         lancret_context* own = nullptr;
-        if (lancret_create(LANCRET_ABI_VERSION, &host, &own) != LANCRET_OK) {
+        if (lancret_context_create(LANCRET_ABI_VERSION, &host, &own) != LANCRET_OK) {
             return lancret_status(LANCRET_OUT_OF_MEMORY);
         }
         lancret_groom* out = nullptr;
         char error[64];
         const lancret_status status =
-            lancret_open(own, &source, &out, error, sizeof error);
+            lancret_groom_open(own, &source, &out, error, sizeof error);
         EXPECT_EQ(out != nullptr, status == LANCRET_OK);
-        lancret_close(out);
-        lancret_destroy(own);
+        lancret_groom_close(out);
+        lancret_context_destroy(own);
         return status;
     });
 }

@@ -32,11 +32,11 @@ class MovingPlugin : public testing::Test {
         GroomSource source;
         source.path = folder_ / "head.toml";
         const SourcedGroom groom = read_groom_source(source);
-        const Generator generator = make_generator(groom.groom);
+        const ReadyGroom ready = make_ready_groom(groom.groom);
         const ScalpPoseAt pose = head_pose(groom.motion, groom.groom);
         std::vector<Guides> frames;
         for (int f = 3; f <= 6; ++f) {
-            Guides guides = generator.source.guides;
+            Guides guides = ready.source.guides;
             const auto head = std::get<RigidPose>(pose(f));
             for (std::size_t g = 0; g < guides.size(); ++g) {
                 guides.root_positions[g] = head * guides.root_positions[g];
@@ -47,7 +47,7 @@ class MovingPlugin : public testing::Test {
         }
         cache_ = (folder_ / "head.h5").string();
         GuideCacheWriter writer(cache_, {24, 3, (folder_ / "head.toml").string()}, 4,
-                                &generator.source.guides);
+                                &ready.source.guides);
         for (const Guides& frame : frames) writer.add(frame);
         writer.finish();
     }

@@ -17,10 +17,10 @@ inline const std::string kSmallGroom =
     "[guides]\ncount = 60\nmade.strands = 200\n[strands]\ncount = 3000\nseed = 5\n";
 
 struct CloseContext {
-    void operator()(lancret_context* c) const { lancret_destroy(c); }
+    void operator()(lancret_context* c) const { lancret_context_destroy(c); }
 };
 struct CloseGroom {
-    void operator()(lancret_groom* g) const { lancret_close(g); }
+    void operator()(lancret_groom* g) const { lancret_groom_close(g); }
 };
 using ContextHandle = std::unique_ptr<lancret_context, CloseContext>;
 using GroomHandle = std::unique_ptr<lancret_groom, CloseGroom>;
@@ -34,7 +34,7 @@ inline lancret_host a_host(int threads = 0) {
 
 inline ContextHandle a_context(const lancret_host* host = nullptr) {
     lancret_context* out = nullptr;
-    EXPECT_EQ(lancret_create(LANCRET_ABI_VERSION, host, &out), LANCRET_OK);
+    EXPECT_EQ(lancret_context_create(LANCRET_ABI_VERSION, host, &out), LANCRET_OK);
     return ContextHandle(out);
 }
 
@@ -58,7 +58,7 @@ inline Opened open(lancret_context* context, const lancret_source& source) {
     lancret_groom* groom = nullptr;
     char error[512] = "unset";
     const lancret_status status =
-        lancret_open(context, &source, &groom, error, sizeof error);
+        lancret_groom_open(context, &source, &groom, error, sizeof error);
     return {status, GroomHandle(groom), error};
 }
 
@@ -74,7 +74,7 @@ inline GroomHandle opened(lancret_context* context, const std::string& text,
 inline lancret_info info_of(const lancret_groom* groom) {
     lancret_info out{};
     out.size = sizeof out;
-    EXPECT_EQ(lancret_get_info(groom, &out), LANCRET_OK);
+    EXPECT_EQ(lancret_groom_get_info(groom, &out), LANCRET_OK);
     return out;
 }
 
@@ -100,7 +100,7 @@ using AllStrands = std::map<lancret_u32, StrandArrays>;
 inline lancret_status expand_with(
     const lancret_groom* groom, lancret_u32 chunk, const lancret_options& options,
     const std::function<lancret_status(const lancret_curves&)>& sink) {
-    return lancret_expand(
+    return lancret_groom_expand_chunk(
         groom, chunk, &options,
         [](void* user, const lancret_curves* curves) {
             return (*static_cast<decltype(&sink)>(user))(*curves);

@@ -15,16 +15,16 @@ constexpr lancret_u32 kAll = LANCRET_TANGENTS | LANCRET_NORMALS | LANCRET_ROOT_U
                              LANCRET_LENGTHS | LANCRET_GUIDES | LANCRET_ARC_LENGTHS |
                              LANCRET_RANDOM;
 
-Generator direct(const std::string& text, CurveBasis basis = CurveBasis::bspline) {
+ReadyGroom direct(const std::string& text, CurveBasis basis = CurveBasis::bspline) {
     GroomSource source;
     source.text = text;
-    Groom groom = read_groom_source(source).groom;
+    GroomSettings groom = read_groom_source(source).groom;
     groom.expand.basis = basis;
-    return make_generator(groom);
+    return make_ready_groom(groom);
 }
 
-Curves curves_of(const Generator& generator) {
-    return expand(generator.binding, rest_guides(generator), generator.groom.expand);
+Curves curves_of(const ReadyGroom& ready) {
+    return expand(ready.binding, rest_guides(ready), ready.groom.expand);
 }
 
 void expect_same_positions(const AllStrands& strands, const Curves& curves) {
@@ -65,11 +65,11 @@ TEST(Plugin, StrandsAreThoseOfTheLibraryBitForBit) {
 
 TEST(Plugin, StrandsAreThoseOfTheLibraryAtADensity) {
     const auto context = a_context();
-    const Generator generator = direct(kSmallGroom + "density = 0.3\n");
+    const ReadyGroom ready = direct(kSmallGroom + "density = 0.3\n");
     const auto groom = opened(context.get(), kSmallGroom, 512);
     auto options = some_options(LANCRET_BSPLINE);
     options.density = 0.3;
-    expect_same_positions(expanded(groom.get(), options), curves_of(generator));
+    expect_same_positions(expanded(groom.get(), options), curves_of(ready));
 }
 
 TEST(Plugin, StrandsAreTheSameForAnyChunksOrderAndThreads) {
@@ -127,7 +127,8 @@ TEST(Plugin, MaxErrorHoldsInEveryBasis) {
             options.max_error = error;
             lancret_check check{};
             check.size = sizeof check;
-            ASSERT_EQ(lancret_check_chunk(groom.get(), 0, &options, &check), LANCRET_OK);
+            ASSERT_EQ(lancret_groom_check_chunk(groom.get(), 0, &options, &check),
+                      LANCRET_OK);
             EXPECT_EQ(check.strands, 3000u);
             EXPECT_LE(check.distance, error) << basis;
             // Cut no finer than it takes: a hundredth of it would be.
@@ -153,8 +154,9 @@ TEST(Plugin, AnErrorThatCannotBeKeptIsTold) {
         auto options = some_options(basis);
         options.max_error = 1e-4f;
         float box[6];
-        EXPECT_EQ(lancret_bound(groom.get(), 0, &options, LANCRET_REACH, box),
-                  LANCRET_OK);
+        EXPECT_EQ(
+            lancret_groom_get_chunk_box(groom.get(), 0, &options, LANCRET_REACH, box),
+            LANCRET_OK);
     };
     ask(LANCRET_HERMITE);
     EXPECT_TRUE(warnings.empty());

@@ -12,10 +12,10 @@
 namespace lancret {
 namespace {
 
-Generator direct(const std::string& text) {
+ReadyGroom direct(const std::string& text) {
     GroomSource source;
     source.text = text;
-    return make_generator(read_groom_source(source).groom);
+    return make_ready_groom(read_groom_source(source).groom);
 }
 
 TriangleMesh head_of(const lancret_groom* groom, double time = 0) {
@@ -32,27 +32,27 @@ TriangleMesh head_of(const lancret_groom* groom, double time = 0) {
         }
         return lancret_status(LANCRET_OK);
     };
-    EXPECT_EQ(lancret_get_head(groom, time, sink, &out), LANCRET_OK);
+    EXPECT_EQ(lancret_groom_get_head(groom, time, sink, &out), LANCRET_OK);
     return out;
 }
 
-struct BoundChunk {
+struct ChunkBinding {
     lancret_chunk* handle = nullptr;
     lancret_curves sizes{};
 
-    BoundChunk(const lancret_groom* groom, lancret_u32 chunk,
-               const lancret_options& options) {
+    ChunkBinding(const lancret_groom* groom, lancret_u32 chunk,
+                 const lancret_options& options) {
         EXPECT_EQ(lancret_chunk_open(groom, chunk, &options, &handle), LANCRET_OK);
         sizes.size = sizeof sizes;
-        EXPECT_EQ(lancret_chunk_sizes(handle, &sizes), LANCRET_OK);
+        EXPECT_EQ(lancret_chunk_get_sizes(handle, &sizes), LANCRET_OK);
     }
-    ~BoundChunk() { lancret_chunk_close(handle); }
+    ~ChunkBinding() { lancret_chunk_close(handle); }
 };
 
 TEST(PluginScene, InfoSaysWhatToFrameAndHowToDraw) {
     const auto context = a_context();
-    const Generator generator = direct(kSmallGroom);
-    const Eigen::AlignedBox3f box = guide_box(generator);
+    const ReadyGroom ready = direct(kSmallGroom);
+    const Eigen::AlignedBox3f box = guide_box(ready);
     const auto groom = opened(context.get(), kSmallGroom);
     const lancret_info info = info_of(groom.get());
     for (int i = 0; i < 3; ++i) {
@@ -75,18 +75,18 @@ TEST(PluginScene, InfoSaysWhatToFrameAndHowToDraw) {
 TEST(PluginScene, TheHeadIsTheGroomsOwn) {
     const auto context = a_context();
     const auto groom = opened(context.get(), kSmallGroom);
-    const Generator generator = direct(kSmallGroom);
+    const ReadyGroom ready = direct(kSmallGroom);
     const TriangleMesh head = head_of(groom.get());
-    const GroomGuides& source = generator.source;
+    const PlacedGuides& source = ready.source;
     const TriangleMesh& own = source.body ? *source.body : source.scalp->mesh;
     ASSERT_GT(head.triangles.size(), 100u);
     EXPECT_EQ(head.positions, own.positions);
     EXPECT_EQ(head.triangles, own.triangles);
-    EXPECT_EQ(lancret_get_head(
+    EXPECT_EQ(lancret_groom_get_head(
                   groom.get(), 0,
                   [](void*, const lancret_mesh*) { return lancret_status(7); }, nullptr),
               7);
-    EXPECT_EQ(lancret_get_head(groom.get(), 0, nullptr, nullptr), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_get_head(groom.get(), 0, nullptr, nullptr), LANCRET_BAD_CALL);
 }
 
 TEST(PluginScene, DescriptionIsJson) {
@@ -94,7 +94,7 @@ TEST(PluginScene, DescriptionIsJson) {
     const auto groom = opened(context.get(), kSmallGroom);
     std::string text;
     ASSERT_EQ(
-        lancret_describe(
+        lancret_groom_describe(
             groom.get(),
             [](void* user, const char* json) { *static_cast<std::string*>(user) = json; },
             &text),
@@ -109,14 +109,15 @@ TEST(PluginScene, DescriptionIsJson) {
 TEST(PluginScene, FiguresAreThoseOfTheLibraryByPlace) {
     const auto context = a_context();
     const auto groom = opened(context.get(), kSmallGroom, 5000);  // one chunk
-    const Generator generator = direct(kSmallGroom);
-    const ClassedGuides classed = rest_guides(generator);
-    const Blend blend = generator.groom.expand.blend;
-    const BoundChunk chunk(groom.get(), 0, some_options(LANCRET_BSPLINE));
+    const ReadyGroom ready = direct(kSmallGroom);
+    const ClassedGuides classed = rest_guides(ready);
+    const Blend blend = ready.groom.expand.blend;
+    const ChunkBinding chunk(groom.get(), 0, some_options(LANCRET_BSPLINE));
     ASSERT_EQ(chunk.sizes.strands, 3000u);
     const auto figures = [&](int figure, std::size_t count) {
         std::vector<float> out(count + 1, -7);
-        EXPECT_EQ(lancret_chunk_figures(chunk.handle, figure, 0, out.data()), LANCRET_OK);
+        EXPECT_EQ(lancret_chunk_get_figures(chunk.handle, figure, 0, out.data()),
+                  LANCRET_OK);
         EXPECT_EQ(out.back(), -7) << "beyond the end";
         out.pop_back();
         return out;
@@ -124,28 +125,28 @@ TEST(PluginScene, FiguresAreThoseOfTheLibraryByPlace) {
     // n + 3 points of n intervals.
     const std::size_t intervals = chunk.sizes.points - 3 * chunk.sizes.strands;
     EXPECT_EQ(figures(LANCRET_CURVATURE, intervals),
-              curvature_values(generator.binding, classed, blend).values);
+              curvature_values(ready.binding, classed, blend).values);
     EXPECT_EQ(figures(LANCRET_TORSION, intervals),
-              torsion_values(generator.binding, classed, blend).values);
+              torsion_values(ready.binding, classed, blend).values);
     EXPECT_EQ(figures(LANCRET_ORTHOGONALITY, intervals + chunk.sizes.strands),
-              orthogonality_values(generator.binding, classed, blend).values);
+              orthogonality_values(ready.binding, classed, blend).values);
     for (const float error : figures(LANCRET_LENGTH_ERROR, chunk.sizes.strands)) {
         EXPECT_LE(error, 1e-5f);
     }
     float none = 0;
-    EXPECT_EQ(lancret_chunk_figures(chunk.handle, LANCRET_REGION, 0, &none),
+    EXPECT_EQ(lancret_chunk_get_figures(chunk.handle, LANCRET_REGION, 0, &none),
               LANCRET_BAD_INPUT);
-    EXPECT_EQ(lancret_chunk_figures(chunk.handle, 99, 0, &none), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_chunk_figures(chunk.handle, LANCRET_CURVATURE, 1, &none),
+    EXPECT_EQ(lancret_chunk_get_figures(chunk.handle, 99, 0, &none), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_chunk_get_figures(chunk.handle, LANCRET_CURVATURE, 1, &none),
               LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_chunk_figures(chunk.handle, LANCRET_CURVATURE, 0, nullptr),
+    EXPECT_EQ(lancret_chunk_get_figures(chunk.handle, LANCRET_CURVATURE, 0, nullptr),
               LANCRET_BAD_CALL);
     lancret_chunk_info info{};
     info.size = sizeof info;
-    ASSERT_EQ(lancret_get_chunk_info(chunk.handle, &info), LANCRET_OK);
+    ASSERT_EQ(lancret_chunk_get_info(chunk.handle, &info), LANCRET_OK);
     EXPECT_EQ(info.strands, 3000u);
-    EXPECT_EQ(info.bytes, generator.binding.bytes());
-    EXPECT_EQ(info.straight_guides, generator.binding.report.straight_guides);
+    EXPECT_EQ(info.bytes, ready.binding.bytes());
+    EXPECT_EQ(info.straight_guides, ready.binding.report.straight_guides);
 }
 
 TEST(PluginScene, WhatDoesNotMoveIsStill) {
@@ -153,11 +154,11 @@ TEST(PluginScene, WhatDoesNotMoveIsStill) {
     const auto groom = opened(context.get(), kSmallGroom);
     const double times[] = {0, 5, 1e9};
     int still = 0;
-    ASSERT_EQ(lancret_is_still(groom.get(), times, 3, &still), LANCRET_OK);
+    ASSERT_EQ(lancret_groom_is_still(groom.get(), times, 3, &still), LANCRET_OK);
     EXPECT_EQ(still, 1);
     const double odd[] = {0, std::numeric_limits<double>::quiet_NaN()};
-    EXPECT_EQ(lancret_is_still(groom.get(), odd, 2, &still), LANCRET_BAD_CALL);
-    EXPECT_EQ(lancret_is_still(groom.get(), times, 0, &still), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_is_still(groom.get(), odd, 2, &still), LANCRET_BAD_CALL);
+    EXPECT_EQ(lancret_groom_is_still(groom.get(), times, 0, &still), LANCRET_BAD_CALL);
 }
 
 }  // namespace

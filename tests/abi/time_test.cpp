@@ -20,20 +20,18 @@ TEST_F(PluginTime, StrandsAreThoseOfTheLibraryAtAndBetweenFrames) {
     GroomSource source;
     source.path = cache_;
     const SourcedGroom sourced = read_groom_source(source);
-    Generator generator = make_generator(sourced.groom);
+    ReadyGroom ready = make_ready_groom(sourced.groom);
     const GroomTimes times =
         groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom));
-    const RestPlaces rest = prepare_frames(generator, times);
+    const RestPlaces rest = prepare_frames(ready, times);
     // Twice the same, and one beyond the end, which is held.
     const std::vector<double> asked = {3, 4.25, 6, 4.25, 100};
     auto options = some_options(LANCRET_BSPLINE);
     options.times = asked.data();
     options.time_count = asked.size();
     for (std::size_t t = 0; t < asked.size(); ++t) {
-        const FrameState state =
-            go_to_frame(generator, rest, times, std::min(asked[t], 6.0));
-        const Curves curves =
-            expand(generator.binding, state.classed, generator.groom.expand);
+        const FrameState state = go_to_frame(ready, rest, times, std::min(asked[t], 6.0));
+        const Curves curves = expand(ready.binding, state.classed, ready.groom.expand);
         const auto strands = expanded(groom.get(), options, false, t);
         ASSERT_EQ(strands.size(), curves.strands);
         std::map<std::uint32_t, std::uint32_t> places;
@@ -55,7 +53,7 @@ TEST_F(PluginTime, WhatMovesIsNotStill) {
     const auto groom = open_cache(context.get());
     const auto still = [&](std::vector<double> times) {
         int out = -1;
-        EXPECT_EQ(lancret_is_still(groom.get(), times.data(), times.size(), &out),
+        EXPECT_EQ(lancret_groom_is_still(groom.get(), times.data(), times.size(), &out),
                   LANCRET_OK);
         return out;
     };
@@ -113,7 +111,9 @@ TEST_F(PluginTime, BoundsHoldAllTimesAndBetween) {
     for (const int kind : {LANCRET_REACH, LANCRET_TIGHT}) {
         for (lancret_u32 chunk = 0; chunk < info_of(groom.get()).chunks; ++chunk) {
             float box[6];
-            ASSERT_EQ(lancret_bound(groom.get(), chunk, &options, kind, box), LANCRET_OK);
+            ASSERT_EQ(
+                lancret_groom_get_chunk_box(groom.get(), chunk, &options, kind, box),
+                LANCRET_OK);
             std::size_t outside = 0, looks = 0;
             const auto look = [&](const lancret_curves& c) {
                 EXPECT_EQ(c.times, 3u);
@@ -148,7 +148,7 @@ TEST_F(PluginTime, BuffersGetWhatASinkGets) {
     ASSERT_EQ(lancret_chunk_open(groom.get(), 0, &options, &chunk), LANCRET_OK);
     lancret_curves curves{};
     curves.size = sizeof curves;
-    ASSERT_EQ(lancret_chunk_sizes(chunk, &curves), LANCRET_OK);
+    ASSERT_EQ(lancret_chunk_get_sizes(chunk, &curves), LANCRET_OK);
     std::vector<Point4f> first(curves.points), second(curves.points);
     const float* positions[] = {&first[0].x, &second[0].x};
     std::vector<lancret_u32> ids(curves.strands);

@@ -69,22 +69,25 @@ struct AbiGroom {
         source.path = path.c_str();
         source.chunk_strands = chunk_strands;
         char error[512] = "";
-        EXPECT_EQ(lancret_create(LANCRET_ABI_VERSION, nullptr, &context), LANCRET_OK);
-        EXPECT_EQ(lancret_open(context, &source, &groom, error, sizeof error), LANCRET_OK)
+        EXPECT_EQ(lancret_context_create(LANCRET_ABI_VERSION, nullptr, &context),
+                  LANCRET_OK);
+        EXPECT_EQ(lancret_groom_open(context, &source, &groom, error, sizeof error),
+                  LANCRET_OK)
             << error;
         info.size = sizeof info;
-        EXPECT_EQ(lancret_get_info(groom, &info), LANCRET_OK);
+        EXPECT_EQ(lancret_groom_get_info(groom, &info), LANCRET_OK);
     }
     ~AbiGroom() {
-        lancret_close(groom);
-        lancret_destroy(context);
+        lancret_groom_close(groom);
+        lancret_context_destroy(context);
     }
     AbiGroom(const AbiGroom&) = delete;
     AbiGroom& operator=(const AbiGroom&) = delete;
 
     AbiCurves expand(lancret_u32 chunk, const lancret_options& options) const {
         AbiCurves out;
-        EXPECT_EQ(lancret_expand(groom, chunk, &options, copy_curves, &out), LANCRET_OK);
+        EXPECT_EQ(lancret_groom_expand_chunk(groom, chunk, &options, copy_curves, &out),
+                  LANCRET_OK);
         return out;
     }
 };

@@ -23,7 +23,7 @@ struct MovingGroom : MadeGroom {
         const AbiGroom groom(path);
         lancret_guides from{};
         from.size = sizeof from;
-        EXPECT_EQ(lancret_get_guides(groom.groom, &from), LANCRET_OK);
+        EXPECT_EQ(lancret_groom_get_guides(groom.groom, &from), LANCRET_OK);
         Guides rest;
         rest.segments = int(from.segments);
         for (std::size_t g = 0; g < from.guides; ++g) {

@@ -168,7 +168,7 @@ TEST(RendermanContract, AnyStringIsReadOrRefusedWithAReason) {
     const std::string words =
         "a.toml 'b c.hair' frame=12 samples=0,0.5 motion=0,1 basis=hermite "
         "max_error=1e-3 "
-        "density=.5 strands_a_pixel=2 primvars=id,st,N chunk_strands=64 unit=2.54 "
+        "density=.5 strands_per_pixel=2 primvars=id,st,N chunk_strands=64 unit=2.54 "
         "threads=3 bound=tight strands.count=5 width.root=\"x\"";
     std::uint32_t state = 1;
     const auto draw = [&](std::size_t n) {

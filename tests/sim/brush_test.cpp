@@ -69,31 +69,31 @@ struct Struck {
     std::size_t unsolved = 0;
 };
 
-Struck strike(double steps_a_second) {
+Struck strike(double steps_per_second) {
     SimulationSettings settings;
     settings.substeps = 1;
     settings.adaptive = false;
     SimulationScene scene;
-    scene.motion = make_rigid_path({PoseKey{}}, Vec3::Zero(), steps_a_second);
-    scene.frames_per_second = steps_a_second;
+    scene.motion = make_rigid_path({PoseKey{}}, Vec3::Zero(), steps_per_second);
+    scene.frames_per_second = steps_per_second;
     const Guides guides = brush();
     for (std::size_t g = 0; g < guides.size(); ++g) {
         scene.roots.push_back({guides.root(g), {}});
     }
     scene.colliders.add(Capsule{Vec3::Zero(), Vec3::Zero(), kSphere}, sphere_at(0));
     scene.move_colliders = [&](double frame, Colliders& colliders) {
-        colliders.move(0, sphere_at(frame / steps_a_second));
+        colliders.move(0, sphere_at(frame / steps_per_second));
     };
     Simulation simulation(guides, settings, std::move(scene), 0);
     Struck out;
     std::vector<Vec3> before = out.rest = tips_of(simulation.guides());
-    const int count = int(std::lround(2.1 * steps_a_second));
+    const int count = int(std::lround(2.1 * steps_per_second));
     for (int i = 1; i <= count; ++i) {
         simulation.advance();
         const SimulationReport report = simulation.take_report();
-        const double time = i / steps_a_second;
+        const double time = i / steps_per_second;
         out.tips = tips_of(simulation.guides());
-        const double now = speeds(before, out.tips, 1 / steps_a_second);
+        const double now = speeds(before, out.tips, 1 / steps_per_second);
         before = out.tips;
         EXPECT_TRUE(std::isfinite(now)) << time;
         out.peak = std::max(out.peak, now);
@@ -112,7 +112,7 @@ Struck strike(double steps_a_second) {
         "1/{} s: peak {:.3g} cm^2/s^2, later than 0.2, 0.5, 1 s {:.1e} {:.1e} "
         "{:.1e} of it; deepest {:.3f} cm; tips moved up to "
         "{:.2f} cm; unsolved {}\n",
-        steps_a_second, out.peak, out.after[0] / out.peak, out.after[1] / out.peak,
+        steps_per_second, out.peak, out.after[0] / out.peak, out.after[1] / out.peak,
         out.after[2] / out.peak, out.deepest, moved, out.unsolved);
     EXPECT_GT(moved, 1);
     return out;

@@ -252,7 +252,7 @@ TEST(Frames, CheckTellsHowFarChildrenMoveBesideTheirGuides) {
                  "9", "--emitted-length", "1", "--length", "1"});
     const auto temporal = json_of(json)["temporal"];
     ASSERT_EQ(temporal["steps"].size(), 2u);
-    EXPECT_LE(temporal["share_of_bound"], 1 + 1e-6);
+    EXPECT_LE(temporal["share_of_limit"], 1 + 1e-6);
     EXPECT_LE(temporal["amplification"], 1 + 1e-6);
     EXPECT_GT(temporal["amplification"], 0.5);
     EXPECT_THAT(run.out, HasSubstr("child's step over its guides'"));

@@ -36,7 +36,7 @@ TEST(Preview, PngShowsHairOnTheBackground) {
     const SmallGrooms folder;
     const std::string png = folder.at("a.png");
     ASSERT_THAT(lancret({"preview", folder.made, "-o", png}), works());
-    const ColourMap picture = read_colour_map(png);
+    const Texture picture = read_colour_map(png);
     ASSERT_EQ(picture.width, 32);
     ASSERT_EQ(picture.height, 32);
     // The corners show the background, 0.18, within the half step of an 8-bit code there:
@@ -117,8 +117,8 @@ TEST(Preview, DenoisingChangesColourAndNothingElse) {
         EXPECT_THAT(lancret(words), works());
         return read_colour_map(folder.at(name));
     };
-    const ColourMap before = picture("a.png", {});
-    const ColourMap after = picture("b.png", {"--denoise"});
+    const Texture before = picture("a.png", {});
+    const Texture after = picture("b.png", {"--denoise"});
     EXPECT_NE(before.texels, after.texels);
     // The corners show the background alone.
     for (const std::size_t corner : {0u, 15u, 11u * 16u})

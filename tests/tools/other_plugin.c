@@ -28,7 +28,7 @@ int lancret_abi_version(void) {
     return said ? atoi(said) : LANCRET_ABI_VERSION;
 }
 
-lancret_status lancret_create(int abi_version, const lancret_host *host,
+lancret_status lancret_context_create(int abi_version, const lancret_host *host,
                               lancret_context **context) {
     (void)abi_version;
     *context = calloc(1, sizeof **context);
@@ -36,9 +36,9 @@ lancret_status lancret_create(int abi_version, const lancret_host *host,
     return LANCRET_OK;
 }
 
-void lancret_destroy(lancret_context *context) { free(context); }
+void lancret_context_destroy(lancret_context *context) { free(context); }
 
-lancret_status lancret_open(lancret_context *context, const lancret_source *source,
+lancret_status lancret_groom_open(lancret_context *context, const lancret_source *source,
                             lancret_groom **groom, char *error, size_t error_size) {
     size_t i;
     (void)error;
@@ -52,7 +52,7 @@ lancret_status lancret_open(lancret_context *context, const lancret_source *sour
     return LANCRET_OK;
 }
 
-void lancret_close(lancret_groom *groom) { free(groom); }
+void lancret_groom_close(lancret_groom *groom) { free(groom); }
 
 static void put_box(lancret_u32 posts, float box[6]) {
     box[0] = box[2] = -0.5f;
@@ -62,7 +62,7 @@ static void put_box(lancret_u32 posts, float box[6]) {
     box[5] = 0.5f;
 }
 
-lancret_status lancret_get_info(const lancret_groom *groom, lancret_info *info) {
+lancret_status lancret_groom_get_info(const lancret_groom *groom, lancret_info *info) {
     size_t size = info->size;
     memset(info, 0, size);
     info->size = size;
@@ -76,14 +76,14 @@ lancret_status lancret_get_info(const lancret_groom *groom, lancret_info *info) 
     return LANCRET_OK;
 }
 
-lancret_status lancret_describe(const lancret_groom *groom, lancret_text_sink sink,
+lancret_status lancret_groom_describe(const lancret_groom *groom, lancret_text_sink sink,
                                 void *user) {
     (void)groom;
     sink(user, "{\"guides\": 1}");
     return LANCRET_OK;
 }
 
-lancret_status lancret_get_head(const lancret_groom *groom, double time,
+lancret_status lancret_groom_get_head(const lancret_groom *groom, double time,
                                 lancret_mesh_sink sink, void *user) {
     lancret_mesh none;
     (void)groom;
@@ -93,7 +93,7 @@ lancret_status lancret_get_head(const lancret_groom *groom, double time,
     return sink(user, &none);
 }
 
-lancret_status lancret_is_still(const lancret_groom *groom, const double *times,
+lancret_status lancret_groom_is_still(const lancret_groom *groom, const double *times,
                                 size_t time_count, int *still) {
     (void)groom;
     (void)times;
@@ -102,7 +102,7 @@ lancret_status lancret_is_still(const lancret_groom *groom, const double *times,
     return LANCRET_OK;
 }
 
-lancret_status lancret_bound(const lancret_groom *groom, lancret_u32 chunk,
+lancret_status lancret_groom_get_chunk_box(const lancret_groom *groom, lancret_u32 chunk,
                              const lancret_options *options, int kind, float box[6]) {
     (void)chunk;
     (void)options;
@@ -120,7 +120,7 @@ lancret_status lancret_chunk_open(const lancret_groom *groom, lancret_u32 chunk,
     return LANCRET_OK;
 }
 
-lancret_status lancret_chunk_sizes(const lancret_chunk *bound, lancret_curves *sizes) {
+lancret_status lancret_chunk_get_sizes(const lancret_chunk *bound, lancret_curves *sizes) {
     size_t size = sizes->size;
     (void)bound;
     memset(sizes, 0, size);
@@ -151,7 +151,7 @@ lancret_status lancret_chunk_write(const lancret_chunk *bound, const lancret_cur
 
 void lancret_chunk_close(lancret_chunk *bound) { free(bound); }
 
-lancret_status lancret_get_chunk_info(const lancret_chunk *bound, lancret_chunk_info *info) {
+lancret_status lancret_chunk_get_info(const lancret_chunk *bound, lancret_chunk_info *info) {
     size_t size = info->size;
     (void)bound;
     memset(info, 0, size);
@@ -160,7 +160,7 @@ lancret_status lancret_get_chunk_info(const lancret_chunk *bound, lancret_chunk_
     return LANCRET_OK;
 }
 
-lancret_status lancret_chunk_figures(const lancret_chunk *bound, int figure, size_t time,
+lancret_status lancret_chunk_get_figures(const lancret_chunk *bound, int figure, size_t time,
                                      float *values) {
     lancret_u32 i;
     (void)figure;

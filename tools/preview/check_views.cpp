@@ -59,7 +59,7 @@ ColourScale size_scale(Kind kind, const std::vector<float>& values, float least)
 
 /// The most frequent of the values as swatches with their shares.
 std::vector<Swatch> frequent(std::span<const std::uint32_t> values, const char* name) {
-    constexpr std::size_t kMost = 8;
+    constexpr std::size_t kMax = 8;
     std::map<std::uint32_t, std::size_t> counts;
     for (const std::uint32_t value : values) ++counts[value];
     std::vector<std::pair<std::size_t, std::uint32_t>> order;
@@ -68,7 +68,7 @@ std::vector<Swatch> frequent(std::span<const std::uint32_t> values, const char* 
         return a.first != b.first ? a.first > b.first : a.second < b.second;
     });
     std::vector<Swatch> out;
-    for (std::size_t i = 0; i < std::min(kMost, order.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(kMax, order.size()); ++i) {
         const double share = 100 * double(order[i].first) / double(values.size());
         out.push_back({fmt::format("{}{}: {:.3g}%", name, order[i].second, share),
                        category_colour(order[i].second)});
@@ -140,7 +140,7 @@ void check_range(const ViewRequest& request) {
 
 CheckView view_of(const ViewRequest& request, const PluginGroom& plugin,
                   const PluginStrands& strands, const ShownTime& shown,
-                  const Groom& groom, float aspect) {
+                  const GroomSettings& groom, float aspect) {
     const CheckTolerances tolerances;
     const auto figures = [&](int figure) {
         return strands.figures(figure, 0, shown.curves);

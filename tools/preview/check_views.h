@@ -47,7 +47,7 @@ void check_range(const ViewRequest& request);
 /// not what the view shows.
 CheckView view_of(const ViewRequest& request, const PluginGroom& plugin,
                   const PluginStrands& strands, const ShownTime& shown,
-                  const Groom& groom, float aspect);
+                  const GroomSettings& groom, float aspect);
 
 /// Makes the view's scale that of the pictures to come, where nothing else was asked for.
 void keep_range(const CheckView& view, ViewRequest& request);

@@ -40,7 +40,7 @@ std::unique_ptr<PluginGroom> open_groom(const Job& job) {
     return out;
 }
 
-void tell_binding(const PluginStrands& strands) {
+void print_binding_report(const PluginStrands& strands) {
     fmt::print(stderr, "{}",
                bind_table(report_of(strands.info()), strands.size(), "lancret: "));
 }

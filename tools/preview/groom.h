@@ -14,9 +14,9 @@ namespace lancret {
 std::unique_ptr<PluginGroom> open_groom(const Job& job);
 
 /// Tells on stderr what binding had to work around.
-void tell_binding(const PluginStrands& strands);
+void print_binding_report(const PluginStrands& strands);
 
-/// lancret_describe's, and {strands, intervals, seconds.{load, fit, bind},
+/// lancret_groom_describe's, and {strands, intervals, seconds.{load, fit, bind},
 /// bytes.{binding, binding_per_strand}, bind.{...}: bind_json}; seconds.bind without
 /// that of the chunks.
 nlohmann::json groom_stats(const PluginGroom& groom, const PluginStrands& strands);

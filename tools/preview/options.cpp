@@ -99,8 +99,8 @@ std::vector<PictureFiles> outputs_of(const PreviewOptions& options, const Job& j
     return out;
 }
 
-void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
-              PreviewSettings& settings) {
+void set_override(const PreviewOptions& options, const ChosenFrames& chosen,
+                  PreviewSettings& settings) {
     RenderSettings& render = settings.render;
     if (!options.size.empty()) {
         std::tie(render.width, render.height) = parse_size(options.size);
@@ -119,7 +119,7 @@ void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
     if (options.samples) render.samples = *options.samples;
     if (options.noise) {
         render.noise = *options.noise;
-        if (!settings.samples_given) render.samples = kMostAdaptiveSamples;
+        if (!settings.samples_given) render.samples = kMaxAdaptiveSamples;
     }
     if (settings.denoise && render.samples < 2) {
         throw InputError(
@@ -187,7 +187,7 @@ void add_preview_options(CLI::App& command, PreviewOptions& options) {
         .add_option("--motion-samples", options.motion_samples,
                     "times in the shutter at which the strands are grown")
         ->type_name("N")
-        ->check(CLI::Range(2, int(kMostSceneTimes)));
+        ->check(CLI::Range(2, int(kMaxSceneTimes)));
     command
         .add_option("--regularisation", options.regularisation,
                     "least roughness of hair after a path's first scattering: less "

@@ -29,8 +29,8 @@ std::vector<PictureFiles> outputs_of(const PreviewOptions& options, const Job& j
                                      const ChosenFrames& chosen);
 
 /// The options laid over what the groom says of its picture. Throws InputError.
-void lay_over(const PreviewOptions& options, const ChosenFrames& chosen,
-              PreviewSettings& settings);
+void set_override(const PreviewOptions& options, const ChosenFrames& chosen,
+                  PreviewSettings& settings);
 
 /// The check view that is asked for, if any. Throws InputError.
 std::optional<ViewRequest> view_request(const PreviewOptions& options);

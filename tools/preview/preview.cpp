@@ -82,9 +82,9 @@ std::unique_ptr<PluginStrands> bind_strands(const PluginGroom& groom,
     line.clear();
     if (out->size() > 0) return out;
     const std::size_t all = groom.info().strands;
-    if (request.strands_a_pixel > 0) {
+    if (request.strands_per_pixel > 0) {
         throw InputError(fmt::format("--lod: {} strands a pixel leave none of {} strands",
-                                     request.strands_a_pixel, all));
+                                     request.strands_per_pixel, all));
     }
     throw InputError(fmt::format("{}: of {} strands a density of {} leaves none",
                                  job.groom.name, all, job.groom.density));
@@ -95,7 +95,7 @@ int preview(const PreviewOptions& options) {
     Job job = read_job(options.groom);
     const ChosenFrames chosen = chosen_frames(options.frames, job, false);
     const auto outputs = outputs_of(options, job, chosen);
-    lay_over(options, chosen, job.preview);
+    set_override(options, chosen, job.preview);
     std::optional<ViewRequest> request = view_request(options);
     const RenderSettings& settings = job.preview.render;
     StrandRequest asked;
@@ -119,7 +119,7 @@ int preview(const PreviewOptions& options) {
 
     if (options.lod) {
         asked.pixels = chunk_pixels(*groom, cameras, settings.height);
-        asked.strands_a_pixel = *options.lod;
+        asked.strands_per_pixel = *options.lod;
     }
 
     nlohmann::json stats, frames = nlohmann::json::array();
@@ -159,7 +159,7 @@ int preview(const PreviewOptions& options) {
             auto strands = bind_strands(*groom, asked, job);
             cost.bind = watch.lap();
             if (stats.empty()) {
-                tell_binding(*strands);
+                print_binding_report(*strands);
                 stats = groom_stats(*groom, *strands);
             }
             moments.clear();

@@ -39,10 +39,10 @@ RodRelease release_of(const RodOptions& options, const HangingRod& rod) {
     settings.duration = *options.release;
     settings.step = *options.step;
     settings.stepping = to_round_off(options.integrator);
-    constexpr double kMostSteps = 1e8;
-    if (settings.duration / settings.step > kMostSteps) {
+    constexpr double kMaxSteps = 1e8;
+    if (settings.duration / settings.step > kMaxSteps) {
         throw InputError(fmt::format("--dt: {:g} makes more than {:g} steps of {:g}",
-                                     settings.step, kMostSteps, settings.duration));
+                                     settings.step, kMaxSteps, settings.duration));
     }
     ProgressBar bar("letting go");
     return release_rod(rod, settings, [&](double done) { bar.show(done); });
@@ -63,9 +63,9 @@ RodReport rod_report(const RodOptions& options) {
         // From no weight up to well beyond what hair weighs, whatever gamma is.
         HangingRod unit = report.rod;
         unit.gravity = -Vec3::UnitZ();
-        constexpr std::size_t kMostChanges = 16;
+        constexpr std::size_t kMaxChanges = 16;
         report.most_gamma = std::max(1e4, report.setup.gamma);
-        report.changes = stability_changes(unit, report.most_gamma, kMostChanges);
+        report.changes = stability_changes(unit, report.most_gamma, kMaxChanges);
     }
     if (options.release) report.release = release_of(options, report.rod);
     return report;
@@ -118,7 +118,7 @@ void add_rod(CLI::App& app, int& exit_code) {
     CLI::App* rod =
         app.add_subcommand("rod", "Hang one rod: shape, frequencies, buckling");
     rod->add_option("--gamma", setup.gamma, "weight: rho S g L^3 / EI_1, along -z")
-        ->check(within(0, kMostGamma));
+        ->check(within(0, kMaxGamma));
     const auto triple = [&](const char* name, std::vector<double>& value,
                             const char* what, const char* type) {
         rod->add_option(name, value, what)

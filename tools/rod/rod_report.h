@@ -39,7 +39,7 @@ struct RodReport {
 };
 
 /// The largest gamma, and the largest gamma that is searched for buckling.
-inline constexpr double kMostGamma = 1e6;
+inline constexpr double kMaxGamma = 1e6;
 
 /// The first weight at which stability is lost.
 std::optional<double> critical_gamma(const RodReport& report);

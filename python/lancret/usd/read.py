@@ -28,7 +28,7 @@ from ._pxr import (
 _BASES = {"bspline": "bspline", "catmullRom": "catmull-rom", "bezier": "bezier"}
 _PINNED = ("bspline", "catmull-rom")  # of which the ends need points that are not there
 #: Places on a piece of curves that the library has no basis for.
-PLACES_A_PIECE = 8
+PLACES_PER_SEGMENT = 8
 
 
 def read(
@@ -161,7 +161,7 @@ def _read_prim(prim: Any, time: Any, transform: bool, wrap: str | None) -> Stran
     if form.pinned and basis in _PINNED:
         points, counts = cubic.with_phantoms(points, counts)
     if basis in ("bezier", "catmull-rom"):
-        points, counts = cubic.sample(points, counts, basis, PLACES_A_PIECE)
+        points, counts = cubic.sample(points, counts, basis, PLACES_PER_SEGMENT)
         basis = "catmull-rom"
     return Strands(
         points=points[:, :3],
@@ -309,7 +309,7 @@ def _through_places(strands: Strands) -> Strands:
     values = strands.points
     if strands.widths is not None:
         values = np.column_stack([values, strands.widths])
-    places, counts = cubic.sample(values, strands.counts, "bspline", PLACES_A_PIECE)
+    places, counts = cubic.sample(values, strands.counts, "bspline", PLACES_PER_SEGMENT)
     return dataclasses.replace(
         strands,
         points=places[:, :3],

@@ -38,7 +38,7 @@ def write(
     max_error: float = 0,
     attributes: Collection[Attribute] = ("ids", "root_uv"),
     prim: str = "/Hair",
-    a_prim_a_chunk: bool = False,
+    prim_per_chunk: bool = False,
     metres_per_unit: float | None = None,
     frames_per_second: float = 24,
 ) -> None:
@@ -84,12 +84,12 @@ def write(
         stage.SetDefaultPrim(UsdGeom.Xform.Define(stage, prim).GetPrim())
         Usd.ModelAPI(stage.GetDefaultPrim()).SetKind(Kind.Tokens.component)
         chunks = [(f"chunk_{i:05}", [i]) for i in groom.chunks]
-        for name, numbers in chunks if a_prim_a_chunk else [("strands", groom.chunks)]:
+        for name, numbers in chunks if prim_per_chunk else [("strands", groom.chunks)]:
             place = f"{prim}/{name}"
             for i in range(0, max(1, len(moments)), _MOST_TIMES):
                 batch = moments[i : i + _MOST_TIMES] or None
                 curves = groom.expand(numbers, batch, **asked)
-                if len(curves) or not a_prim_a_chunk:
+                if len(curves) or not prim_per_chunk:
                     add_curves(stage, place, curves)
         stage.GetRootLayer().Save()
         stage = None

@@ -80,7 +80,7 @@ TEST(SuperHelixReading, StrandsWithoutALengthAreLeftOut) {
     strands.points = {Vec3f(0, 0, 0), Vec3f(0, 0, 4), Vec3f(1, 0, 0), Vec3f(1, 0, 0)};
     strands.first = {0, 2, 4};
     const std::uint32_t which[] = {0, 1};
-    const FittedGuides read = read_guides(strands, which, {}, 8);
+    const FittedGuides read = sample_guides(strands, which, {}, 8);
     EXPECT_EQ(read.left_out, 1u);
     ASSERT_EQ(read.guides.size(), 1u);
     EXPECT_EQ(read.guides.segments, 8);

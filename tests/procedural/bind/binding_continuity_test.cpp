@@ -170,13 +170,13 @@ TEST(BindingContinuity, WhereGuidesTurnTheirBacks) {
 
 /// Along the made head, over ears and crown, beside its parting and round its end.
 TEST(BindingContinuity, OnTheMadeHeadRoundItsParting) {
-    Groom groom;
+    GroomSettings groom;
     groom.guides.number = 150;
     groom.made.strands = 150;
     groom.fit.segments = 4;
     groom.strands = 1;
     groom.intervals = 4;
-    const Generator made = make_generator(groom);
+    const ReadyGroom made = make_ready_groom(groom);
     ASSERT_EQ(made.source.partings.size(), 1u);
     const Partings partings(made.source.partings);
     Walked walked{made.source.guides, made.source.normals, {}, &partings};
@@ -203,7 +203,7 @@ TEST(BindingContinuity, BetweenTheRootsOfARealGroom) {
     if (!std::filesystem::exists(data / "sintel.hair")) {
         GTEST_SKIP() << "no real grooms in " << data;
     }
-    Groom groom;
+    GroomSettings groom;
     groom.name = "sintel";
     groom.strands_file = data / "sintel.hair";
     groom.scalp_file = data / "sintel_head.obj";
@@ -211,7 +211,7 @@ TEST(BindingContinuity, BetweenTheRootsOfARealGroom) {
     groom.fit.segments = 3;
     groom.strands = 100;
     groom.intervals = 3;
-    const Generator sintel = make_generator(groom);
+    const ReadyGroom sintel = make_ready_groom(groom);
     Walked walked{sintel.source.guides, sintel.source.normals, groom.bind};
     const auto& roots = sintel.binding.roots;
     for (std::size_t i = 0; i + 1 < 12; ++i) {

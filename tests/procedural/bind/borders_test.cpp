@@ -15,8 +15,8 @@ namespace {
 
 using testing::HasSubstr;
 
-Groom small_groom() {
-    Groom groom;
+GroomSettings small_groom() {
+    GroomSettings groom;
     groom.name = "small.toml";
     groom.made.strands = 300;
     groom.guides.number = 150;
@@ -27,7 +27,7 @@ Groom small_groom() {
 }
 
 TEST(Borders, NoChildOfTheMadeGroomHasAGuideAcrossItsParting) {
-    const Generator made = make_generator(small_groom());
+    const ReadyGroom made = make_ready_groom(small_groom());
     const Binding& binding = made.binding;
     // Where the parting lies, in front of the crown and behind the hairline.
     std::size_t looked_at = 0;
@@ -46,10 +46,10 @@ TEST(Borders, NoChildOfTheMadeGroomHasAGuideAcrossItsParting) {
 }
 
 TEST(Borders, AGroomsOwnPartingStandsInForTheMadeOne) {
-    Groom groom = small_groom();
+    GroomSettings groom = small_groom();
     // From ear to ear, drawn above the head.
     groom.partings = {{{-7, 8, 0.5}, {7, 8, 0.5}}};
-    const Generator made = make_generator(groom);
+    const ReadyGroom made = make_ready_groom(groom);
     ASSERT_EQ(made.source.partings.size(), 1u);
     for (const Vec3& p : made.source.partings[0]) {
         EXPECT_NEAR(p.cwiseQuotient(kMadeHead).norm(), 1, 0.01);
@@ -84,12 +84,12 @@ TEST(Borders, RegionsOfStrandsAreThoseOfTheirLinesThoughSomeAreDropped) {
     write_bytes(folder / "five.hair", bytes);
     write_bytes(folder / "ids.txt", "10\n99\n11\n99\n12\n");
 
-    Groom groom;
+    GroomSettings groom;
     groom.name = "five.toml";
     groom.strands_file = folder / "five.hair";
     groom.regions.ids = folder / "ids.txt";
     groom.fit.segments = 2;
-    const Generator made = make_generator(groom);
+    const ReadyGroom made = make_ready_groom(groom);
     EXPECT_EQ(made.source.regions.strands, (std::vector<std::uint32_t>{10, 11, 12}));
     // Each child has its own strand's region, and so that strand's guide alone.
     ASSERT_EQ(made.binding.size(), 3u);
@@ -107,10 +107,10 @@ TEST(Borders, EveryRegionWithStrandsGetsAGuide) {
     // Five strands are regions of their own.
     for (int i = 0; i < 300; ++i) ids += i % 60 == 7 ? std::to_string(i) + "\n" : "0\n";
     write_bytes(folder / "ids.txt", ids);
-    Groom groom = small_groom();
+    GroomSettings groom = small_groom();
     groom.guides.number = 4;
     groom.regions.ids = folder / "ids.txt";
-    const Generator made = make_generator(groom);
+    const ReadyGroom made = make_ready_groom(groom);
     std::vector<std::uint32_t> regions = made.source.guide_regions;
     std::ranges::sort(regions);
     regions.erase(std::ranges::unique(regions).begin(), regions.end());
@@ -122,16 +122,16 @@ TEST(Borders, EveryRegionWithStrandsGetsAGuide) {
 
 TEST(Borders, ATextureNeedsUvsToLieOn) {
     const TemporaryFolder folder;
-    Groom groom = small_groom();
+    GroomSettings groom = small_groom();
     groom.regions.texture = folder / "none.png";
-    EXPECT_THROW(make_generator(groom), InputError);  // the map is not there
+    EXPECT_THROW(make_ready_groom(groom), InputError);  // the map is not there
     const MadeGroom made = make_groom(groom.made);
     TriangleMesh bare = made.scalp;
     bare.uvs.clear();
     write_obj(folder / "bare.obj", bare);
     groom.scalp_file = folder / "bare.obj";
     try {
-        make_generator(groom);
+        make_ready_groom(groom);
         ADD_FAILURE() << "no error";
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("small.toml: the texture of [regions]"));
@@ -139,7 +139,7 @@ TEST(Borders, ATextureNeedsUvsToLieOn) {
 }
 
 TEST(Borders, ATextureDividesChildrenAndGuidesAlike) {
-    const Generator made = make_generator(small_groom());
+    const ReadyGroom made = make_ready_groom(small_groom());
     // A map of two halves along u, which goes round the head.
     Regions regions;
     regions.map = RegionMap{2, 1, {0, 1}, 2};

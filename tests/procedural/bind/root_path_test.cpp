@@ -23,7 +23,7 @@ std::uint32_t heaviest(const Binding& binding, std::size_t i) {
 }
 
 /// Steps along half a circle at the side of the made head, clear of its parting.
-Jumps jumps_of(const Generator& groom, Blend blend, int steps) {
+Jumps jumps_of(const ReadyGroom& groom, Blend blend, int steps) {
     Roots roots;
     for (int i = 0; i <= steps; ++i) {
         const double angle = 0.3 + 1.2 * i / steps;
@@ -53,11 +53,11 @@ Jumps jumps_of(const Generator& groom, Blend blend, int steps) {
 }
 
 TEST(RootPath, SumsAreSmoothAndDetailJumpsOnlyWhereTheHeaviestGuideChanges) {
-    Groom groom;
+    GroomSettings groom;
     groom.made.strands = 400;
     groom.guides.number = 150;
     groom.strands = 1;
-    const Generator made = make_generator(groom);
+    const ReadyGroom made = make_ready_groom(groom);
     for (const BlendName& entry : kBlendNames) {
         SCOPED_TRACE(entry.name);
         const Jumps coarse = jumps_of(made, entry.blend, 2000),

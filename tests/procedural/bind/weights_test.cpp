@@ -94,7 +94,7 @@ TEST(Weights, AreThePapersOwnFromTheLeastFacingOn) {
 }
 
 TEST(Weights, AreContinuousAsTheLastGuideTurnsAway) {
-    // Facing factors change by at most 1 / kLeastFacing times the change of a facing, and
+    // Facing factors change by at most 1 / kMinFacing times the change of a facing, and
     // weights by twice that: in steps of 1e-5, by 4e-4. The last of the paper's weights
     // jumps from 1 to 0.
     std::vector<float> before = weights_of({1, 2, 3}, 4, {-1, 0.3, -1}, 2);

@@ -38,7 +38,7 @@ Motion motion(const Made& a, const Made& b) {
             std::max(out.child, (a.states[i].position - b.states[i].position).norm());
     }
     const Child<double> from = a.child.child(), to = b.child.child();
-    out.bound = anchored_motion_bound({from, to, a.profiles, b.profiles});
+    out.bound = anchored_motion_limit({from, to, a.profiles, b.profiles});
     return out;
 }
 

@@ -118,7 +118,7 @@ TEST_F(Check, FindsATipOutsideTheBound) {
     move(curves.points_of(0) - 3, 3, Vec3f(0, 0, 1000));
     const CheckReport found = report();
     expect_only_ours_fails(found);
-    EXPECT_FALSE(found.strands[kStrand].inside_bound);
+    EXPECT_FALSE(found.strands[kStrand].tip_within_reach);
     EXPECT_EQ(check_json(found)["outside_bound"], 1);
 }
 
@@ -162,7 +162,7 @@ TEST(CheckHull, FindsCurvatureOutsideThatOfTheGuides) {
         const Curves curves = expand(hair.binding, hair.profiles, {.blend = blend});
         const CheckReport found = check(hair.binding, hair.standing.guides,
                                         hair.classed(blend), curves, blend, 1, {});
-        EXPECT_EQ(found.hull_is_asked, blend == Blend::option1);
+        EXPECT_EQ(found.hull_applies, blend == Blend::option1);
         if (blend == Blend::position) continue;
         std::size_t outside = 0;
         for (std::size_t i = 0; i < 200; ++i) {
@@ -191,7 +191,7 @@ TEST(CheckHull, FindsTorsionOutsideThatOfTheGuides) {
 }
 
 TEST(CheckReport, EachToleranceIsAskedAlone) {
-    const CheckReport report{.tolerances = {}, .hull_is_asked = true, .strands = {}};
+    const CheckReport report{.tolerances = {}, .hull_applies = true, .strands = {}};
     const CheckTolerances& t = report.tolerances;
     EXPECT_TRUE(report.passes({}));
     const std::pair<float StrandCheck::*, double> figures[] = {
@@ -218,9 +218,9 @@ TEST(CheckReport, EachToleranceIsAskedAlone) {
 TEST(CheckReport, FlagsFailAStrand) {
     CheckReport report;
     EXPECT_FALSE(report.passes({.finite = false}));
-    EXPECT_FALSE(report.passes({.inside_bound = false}));
+    EXPECT_FALSE(report.passes({.tip_within_reach = false}));
     EXPECT_FALSE(report.passes({.inside_hull = false}));
-    report.hull_is_asked = false;
+    report.hull_applies = false;
     EXPECT_TRUE(report.passes({.inside_hull = false}));
 }
 
@@ -230,7 +230,7 @@ TEST(CheckReport, WorstGoesByTheShareOfATolerance) {
     for (std::uint32_t i = 0; i < 4; ++i) report.strands[i].strand = i;
     report.strands[1].length_error = float(-0.5 * report.tolerances.length);
     report.strands[2].distance = float(0.7 * report.tolerances.distance);
-    report.strands[3].inside_bound = false;
+    report.strands[3].tip_within_reach = false;
     const auto worst = report.worst(10);
     ASSERT_EQ(worst.size(), 4u);
     EXPECT_EQ(worst[0].strand, 3u);

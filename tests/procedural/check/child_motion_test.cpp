@@ -105,7 +105,7 @@ TEST(Temporal, AChildThatJumpsWhileItsGuidesRestIsFound) {
     const TemporalReport still = temporal_check(
         {&c, &profiles, {&kStill, 1}}, {&d, &profiles, {&kStill, 1}}, Blend::position);
     EXPECT_EQ(still.largest_guides, 0);
-    EXPECT_NEAR(still.amplification, 5 * std::numbers::sqrt2 / kLeastMotion, 1e-6);
+    EXPECT_NEAR(still.amplification, 5 * std::numbers::sqrt2 / kMinMotion, 1e-6);
 }
 
 TEST(Temporal, ATurnOfTheWholeHeadIsNoMotion) {

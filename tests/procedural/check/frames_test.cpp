@@ -59,11 +59,11 @@ TEST(CheckFrames, ANumberThatIsNoneFailsAndBecomesNull) {
 TEST(CheckFrames, GuidesOffTheScalpFailOnlyWhereThatIsAsked) {
     GuideCheck guides;
     guides.root_distance = 1;
-    guides.root_is_asked = false;
+    guides.root_applies = false;
     FramesReport lenient, strict;
     add_frame(lenient, 1, report_of(0), guides);
     EXPECT_TRUE(lenient.pass());
-    guides.root_is_asked = true;
+    guides.root_applies = true;
     add_frame(strict, 1, report_of(0), guides);
     EXPECT_FALSE(strict.pass());
 }
@@ -77,7 +77,7 @@ TEST(CheckFrames, AStepBeyondTheBlendsBoundFailsTheRun) {
         motion.amplification = 35;
         motion.child = 1;
         motion.motion = {35, 1, bound};
-        motion.share_of_bound = share;
+        motion.share_of_limit = share;
         add_step(report, 3, 3.5, motion);
         return report;
     };
@@ -89,10 +89,10 @@ TEST(CheckFrames, AStepBeyondTheBlendsBoundFailsTheRun) {
                                                 "blend's bound, the first is 3 to 3.5"));
     const nlohmann::json json = frames_json(beyond)["temporal"];
     EXPECT_EQ(json["amplification"], 35);
-    EXPECT_EQ(json["share_of_bound"], 1.01);
+    EXPECT_EQ(json["share_of_limit"], 1.01);
     EXPECT_EQ(json["to"], 3.5);
     const auto free = frames_json(run(0, std::nullopt))["temporal"];
-    EXPECT_TRUE(free["share_of_bound"].is_null());
+    EXPECT_TRUE(free["share_of_limit"].is_null());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(run(nan, 35).pass());
 }

@@ -92,8 +92,8 @@ TEST(Chunks, OfNothingAreNone) {
                  std::invalid_argument);
 }
 
-Groom small_groom() {
-    Groom groom;
+GroomSettings small_groom() {
+    GroomSettings groom;
     groom.name = "small";
     groom.made.strands = 40;
     groom.guides.number = 12;
@@ -102,14 +102,14 @@ Groom small_groom() {
     return groom;
 }
 
-void expect_chunks_of_the_whole(const Groom& groom) {
-    const Generator whole = make_generator(groom);
+void expect_chunks_of_the_whole(const GroomSettings& groom) {
+    const ReadyGroom whole = make_ready_groom(groom);
     const Curves all = expand(whole.binding, rest_guides(whole), groom.expand);
     std::map<std::uint32_t, std::uint32_t> place;  // of an id
     for (std::uint32_t i = 0; i < all.strands; ++i) place[all.id_of(i)] = i;
     for (const std::uint32_t most : {1000u, 128u, 7u}) {
         const ChunkedGroom chunked = make_chunked_groom(groom, most);
-        ASSERT_EQ(chunked.generator.profiles.count, whole.profiles.count);
+        ASSERT_EQ(chunked.ready.profiles.count, whole.profiles.count);
         std::size_t strands = 0;
         for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
             const Curves own = expand_chunk(chunked, c);
@@ -130,20 +130,20 @@ void expect_chunks_of_the_whole(const Groom& groom) {
 
 TEST(Chunks, HaveTheBitsOfTheWhole) {
     for (const Blend blend : {Blend::detail, Blend::option1}) {
-        Groom groom = small_groom();
+        GroomSettings groom = small_groom();
         groom.expand.blend = blend;
         expect_chunks_of_the_whole(groom);
     }
 }
 
 TEST(Chunks, HaveTheBitsOfTheWholeAtAnyDensity) {
-    Groom groom = small_groom();
+    GroomSettings groom = small_groom();
     groom.density = 0.2;
     expect_chunks_of_the_whole(groom);
 }
 
 /// All of a chunk's box and what is seen of it, on hair of blends, bases and widths.
-TEST(ChunkBound, HoldsItsStrandsTightly) {
+TEST(ChunkBox, HoldsItsStrandsTightly) {
     for (const BlendName& named : kBlendNames) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
             const MadeHair hair(600, 24, 7, 4, 4, 0.5);
@@ -164,7 +164,7 @@ TEST(ChunkBound, HoldsItsStrandsTightly) {
 }
 
 /// One by one, where nothing else hides an end, and coarsely cut.
-TEST(ChunkBound, HoldsEachStrandByItself) {
+TEST(ChunkBox, HoldsEachStrandByItself) {
     for (const BlendName& named : kBlendNames) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
             for (const int n : {1, 2, 4, 8}) {
@@ -181,7 +181,7 @@ TEST(ChunkBound, HoldsEachStrandByItself) {
     }
 }
 
-TEST(ChunkBound, TheCheckSeesAStrandOutsideAndAnotherStrand) {
+TEST(ChunkBox, TheCheckSeesAStrandOutsideAndAnotherStrand) {
     const MadeHair hair(200, 12, 8);
     const Chunks chunks = chunks_of(hair.binding.roots.positions, 50);
     Curves curves = expand(hair.binding, hair.profiles, {});
@@ -195,15 +195,15 @@ TEST(ChunkBound, TheCheckSeesAStrandOutsideAndAnotherStrand) {
     EXPECT_FALSE(check.pass());
 }
 
-TEST(ChunkBound, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
+TEST(ChunkBox, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
     const MadeHair hair(300, 12, 9, 4, 4, 0.5);
     // The same guides, turned by half a radian about Y.
     Guides later = hair.standing.guides;
     const Mat3 turn = Eigen::AngleAxisd(0.5, Vec3::UnitY()).toRotationMatrix();
     for (Mat3& frame : later.root_frames) frame = turn * frame;
     const auto profiles = guide_profiles<float>(later, hair.profiles.count);
-    ChunkBound bound = chunk_bound(hair.binding, hair.classed(Blend::detail), {});
-    bound.extend(chunk_bound(
+    ChunkBox bound = chunk_box(hair.binding, hair.classed(Blend::detail), {});
+    bound.extend(chunk_box(
         hair.binding, one_class(profiles, hair.standing.normals, Blend::detail), {}));
     const Eigen::AlignedBox3d box = bound.box().cast<double>();
     const Curves a = expand(hair.binding, hair.profiles, {});
@@ -220,13 +220,13 @@ TEST(ChunkBound, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
     }
     // And the first time alone does not hold the second: the test can fail.
     const Eigen::AlignedBox3f first =
-        chunk_bound(hair.binding, hair.classed(Blend::detail), {}).box();
+        chunk_box(hair.binding, hair.classed(Blend::detail), {}).box();
     EXPECT_FALSE(first.contains(bounds(b)));
 }
 
-TEST(ChunkBound, ReachHoldsEveryBlendOfTheChunk) {
+TEST(ChunkBox, ReachHoldsEveryBlendOfTheChunk) {
     for (const BlendName& named : kBlendNames) {
-        Groom groom = small_groom();
+        GroomSettings groom = small_groom();
         groom.expand.blend = named.blend;
         groom.intervals = 8;  // coarse: control points stray most
         groom.density = 0.5;
@@ -236,15 +236,14 @@ TEST(ChunkBound, ReachHoldsEveryBlendOfTheChunk) {
             EXPECT_TRUE(reach.contains(bounds(expand_chunk(chunked, c)))) << named.name;
             const Binding binding = bind_chunk(chunked, c);
             EXPECT_TRUE(reach.contains(
-                chunk_bound(binding, rest_guides(chunked.generator), groom.expand)
-                    .box()));
+                chunk_box(binding, rest_guides(chunked.ready), groom.expand).box()));
         }
     }
 }
 
-TEST(ChunkBound, OfNoStrandsIsEmpty) {
+TEST(ChunkBox, OfNoStrandsIsEmpty) {
     const MadeHair hair(10, 8, 1);
-    EXPECT_TRUE(chunk_bound(picked(hair.binding, {}), hair.classed(Blend::detail), {})
+    EXPECT_TRUE(chunk_box(picked(hair.binding, {}), hair.classed(Blend::detail), {})
                     .box()
                     .isEmpty());
 }

@@ -26,13 +26,13 @@ Strands same_strands(double turns) {
     return out;
 }
 
-GuideProfiles<float> profiles_of(const LeaveOut& taken) {
+GuideProfiles<float> profiles_of(const HoldOut& taken) {
     return guide_profiles<float>(taken.guides, evaluation_intervals(taken.guides));
 }
 
 TEST(Evaluation, StrandsThatAreAllTheSameArePredictedByEveryBlend) {
     for (const double turns : {0.0, 3.0}) {
-        const LeaveOut taken =
+        const HoldOut taken =
             leave_out(same_strands(turns), nullptr, {.guides = {.number = 9}}, "g");
         const auto profiles = profiles_of(taken);
         for (const BlendName& entry : kBlendNames) {
@@ -61,7 +61,7 @@ TEST(Evaluation, PositionShortensBetweenGuidesThatPointApart) {
         strands.first.push_back(std::uint32_t(strands.points.size()));
     }
     // Seeded with an outer strand, the farthest from it is the other one.
-    const LeaveOut taken =
+    const HoldOut taken =
         leave_out(strands, nullptr,
                   {.guides = {.number = 2}, .bind = {.neighbours = 2}, .seed = 0}, "g");
     ASSERT_EQ(taken.child_strands, std::vector<std::uint32_t>{1});
@@ -81,7 +81,7 @@ TEST(Evaluation, PositionShortensBetweenGuidesThatPointApart) {
 TEST(Evaluation, AllButTheCostIsTheSameForAnyThreadCount) {
     const Strands strands = curly_strands(200, 3);
     const auto run = [&] {
-        const LeaveOut taken = leave_out(strands, nullptr, {}, "g");
+        const HoldOut taken = leave_out(strands, nullptr, {}, "g");
         return predict(taken, profiles_of(taken), Blend::option1);
     };
     const Prediction all = run();
@@ -96,7 +96,7 @@ TEST(Evaluation, AllButTheCostIsTheSameForAnyThreadCount) {
 TEST(Evaluation, PlacesBetweenStatesLieOnTheStrand) {
     // Children of one guide are that guide, and 48 or 96 intervals do not have a state at
     // every 64th of the length.
-    const LeaveOut taken = leave_out(
+    const HoldOut taken = leave_out(
         curly_strands(60, 4), nullptr,
         {.guides = {.share = 0.2}, .segments = 48, .bind = {.neighbours = 1}}, "g");
     const int n = evaluation_intervals(taken.guides);

@@ -17,9 +17,9 @@ namespace {
 
 using test::curly_strands;
 
-TEST(LeaveOut, EveryStrandIsAGuideOrIsPredicted) {
+TEST(HoldOut, EveryStrandIsAGuideOrIsPredicted) {
     const Strands strands = curly_strands(120, 1);
-    const LeaveOut taken = leave_out(strands, nullptr, {.guides = {.share = 0.1}}, "g");
+    const HoldOut taken = leave_out(strands, nullptr, {.guides = {.share = 0.1}}, "g");
     EXPECT_EQ(taken.guide_strands.size(), 12u);
     EXPECT_EQ(taken.guides.size(), 12u);
     EXPECT_EQ(taken.binding.size(), 108u);
@@ -28,9 +28,9 @@ TEST(LeaveOut, EveryStrandIsAGuideOrIsPredicted) {
     EXPECT_EQ(all.size(), 120u);
 }
 
-TEST(LeaveOut, ChildrenStandOnTheirOwnRoots) {
+TEST(HoldOut, ChildrenStandOnTheirOwnRoots) {
     const Strands strands = curly_strands(60, 2);
-    const LeaveOut taken = leave_out(strands, nullptr, {.guides = {.number = 7}}, "g");
+    const HoldOut taken = leave_out(strands, nullptr, {.guides = {.number = 7}}, "g");
     ASSERT_EQ(taken.guides.size(), 7u);
     for (std::size_t c = 0; c < taken.binding.size(); ++c) {
         const Vec3f root = strands.strand(taken.child_strands[c])[0];
@@ -52,13 +52,13 @@ Strands with_others(Strands strands, std::span<const std::uint32_t> which) {
     return strands;
 }
 
-TEST(LeaveOut, NothingOfALeftOutStrandButItsRootReachesItsPrediction) {
+TEST(HoldOut, NothingOfALeftOutStrandButItsRootReachesItsPrediction) {
     const Strands strands = curly_strands(150, 3);
     const Scalp scalp = make_scalp(square_mesh(10, 4));
     for (const Scalp* surface : {static_cast<const Scalp*>(nullptr), &scalp}) {
         const LeaveOutSettings settings{.guides = {.share = 0.1}};
-        const LeaveOut taken = leave_out(strands, surface, settings, "g");
-        const LeaveOut other =
+        const HoldOut taken = leave_out(strands, surface, settings, "g");
+        const HoldOut other =
             leave_out(with_others(strands, taken.child_strands), surface, settings, "g");
         ASSERT_EQ(taken.guide_strands, other.guide_strands);
         // The truth did change.
@@ -80,24 +80,24 @@ TEST(LeaveOut, NothingOfALeftOutStrandButItsRootReachesItsPrediction) {
     }
 }
 
-TEST(LeaveOut, WithoutAScalpNothingIsTurnedAndNothingFaces) {
+TEST(HoldOut, WithoutAScalpNothingIsTurnedAndNothingFaces) {
     // Half the guides hang head down: with facing they would have no weight.
     Strands strands = curly_strands(100, 4);
     for (std::size_t i = 0; i < strands.size(); i += 2) {
         for (std::uint32_t p = strands.first[i]; p < strands.first[i + 1]; ++p)
             strands.points[p].z() *= -1;
     }
-    const LeaveOut taken = leave_out(strands, nullptr, {.guides = {.share = 0.2}}, "g");
+    const HoldOut taken = leave_out(strands, nullptr, {.guides = {.share = 0.2}}, "g");
     EXPECT_EQ(taken.binding.report.no_facing_guide, 0u);
     const auto& normals = taken.binding.roots.normals;
     EXPECT_TRUE(
         std::ranges::all_of(normals, [](auto& n) { return n == Vec3f::UnitZ(); }));
 }
 
-TEST(LeaveOut, ReadGuidesKeepTheirShapeOrSayHowFarTheyCame) {
+TEST(HoldOut, ReadGuidesKeepTheirShapeOrSayHowFarTheyCame) {
     for (const double turns : {0.0, 2.0, 8.0}) {
-        const LeaveOut taken = leave_out(curly_strands(80, 5, turns), nullptr,
-                                         {.guides = {.share = 0.2}}, "g");
+        const HoldOut taken = leave_out(curly_strands(80, 5, turns), nullptr,
+                                        {.guides = {.share = 0.2}}, "g");
         EXPECT_FALSE(taken.fit.fitted);
         // What make_guides asks for before it stops at fewer than the most segments.
         if (taken.guides.segments < 128) {
@@ -108,14 +108,14 @@ TEST(LeaveOut, ReadGuidesKeepTheirShapeOrSayHowFarTheyCame) {
     }
 }
 
-TEST(LeaveOut, SegmentsThatAreAskedForAreFitted) {
-    const LeaveOut taken = leave_out(curly_strands(40, 6, 1), nullptr,
-                                     {.guides = {.share = 0.2}, .segments = 12}, "g");
+TEST(HoldOut, SegmentsThatAreAskedForAreFitted) {
+    const HoldOut taken = leave_out(curly_strands(40, 6, 1), nullptr,
+                                    {.guides = {.share = 0.2}, .segments = 12}, "g");
     EXPECT_TRUE(taken.fit.fitted);
     EXPECT_EQ(taken.guides.segments, 12);
 }
 
-TEST(LeaveOut, AGroomWithNothingToPredictIsRefused) {
+TEST(HoldOut, AGroomWithNothingToPredictIsRefused) {
     const Strands strands = curly_strands(10, 7);
     EXPECT_NE(input_error([&] {
                   leave_out(strands, nullptr, {.guides = {.number = 10}}, "g.hair");
@@ -125,13 +125,13 @@ TEST(LeaveOut, AGroomWithNothingToPredictIsRefused) {
     EXPECT_NE(input_error([&] { leave_out(one, nullptr, {}, "g.hair"); }), "");
 }
 
-TEST(LeaveOut, StrandsWithoutALengthAreLeftAsideAndCounted) {
+TEST(HoldOut, StrandsWithoutALengthAreLeftAsideAndCounted) {
     Strands strands = curly_strands(30, 8);
     for (std::uint32_t p = strands.first[3]; p < strands.first[4]; ++p)
         strands.points[p] = Vec3f(1, 1, 0);
     for (std::uint32_t p = strands.first[5]; p < strands.first[6]; ++p)
         strands.points[p] *= 1e-20f;
-    const LeaveOut taken = leave_out(strands, nullptr, {.guides = {.number = 5}}, "g");
+    const HoldOut taken = leave_out(strands, nullptr, {.guides = {.number = 5}}, "g");
     EXPECT_EQ(taken.flat_strands, 2u);
     EXPECT_EQ(taken.guides.size() + taken.binding.size(), 28u);
     EXPECT_FALSE(std::ranges::binary_search(taken.child_strands, 3u));

@@ -180,21 +180,21 @@ TEST(RibbonFaces, MoveNoStrandAndAreThoseOfTheScalarBlends) {
 }
 
 TEST(RibbonFaces, AreChosenForGroomsOfRibbonsAlone) {
-    Groom groom;
+    GroomSettings groom;
     groom.name = "small";
     groom.made.strands = 60;
     groom.guides.number = 20;
     groom.fit.segments = 8;
     groom.strands = 50;
-    EXPECT_TRUE(make_generator(groom).binding.faces.empty());
+    EXPECT_TRUE(make_ready_groom(groom).binding.faces.empty());
     groom.expand.faces = true;
-    EXPECT_EQ(make_generator(groom).binding.faces.size(), 50u);
+    EXPECT_EQ(make_ready_groom(groom).binding.faces.size(), 50u);
     groom.expand.faces = false;
     groom.expand.shape = CurveShape::ribbon;
-    Generator generator = make_generator(groom);
-    EXPECT_EQ(generator.binding.faces.size(), 50u);
-    generator.binding.faces.clear();
-    EXPECT_THROW(expand(generator.binding, generator.profiles, groom.expand),
+    ReadyGroom ready = make_ready_groom(groom);
+    EXPECT_EQ(ready.binding.faces.size(), 50u);
+    ready.binding.faces.clear();
+    EXPECT_THROW(expand(ready.binding, ready.profiles, groom.expand),
                  std::invalid_argument);
 }
 

@@ -62,7 +62,7 @@ TEST(StrandClasses, AreMultiplesOfTheSegmentsThenHalves) {
               (std::vector<int>{64, 60, 56, 52, 48, 44, 40, 36, 32, 28, 24, 20, 16, 12, 8,
                                 4, 2, 1}));
     EXPECT_EQ(coarsest_classes(guides, 1).counts, std::vector<int>{1});
-    EXPECT_LE(coarsest_classes(guides, 1000).size(), kMostClasses);
+    EXPECT_LE(coarsest_classes(guides, 1000).size(), kMaxClasses);
 }
 
 TEST(StrandClasses, StraightStrandsDoNotPayForCurls) {
@@ -200,8 +200,8 @@ TEST(StrandClasses, WrittenStrandsStandInTheOrderOfTheirIds) {
     }
 }
 
-Groom small_groom() {
-    Groom groom;
+GroomSettings small_groom() {
+    GroomSettings groom;
     groom.name = "small";
     groom.made.strands = 40;
     groom.guides.number = 40;
@@ -211,25 +211,25 @@ Groom small_groom() {
 }
 
 TEST(StrandClasses, AreTheSameInEveryChunkAndAtEveryDensity) {
-    const Generator whole = make_generator(small_groom());
+    const ReadyGroom whole = make_ready_groom(small_groom());
     ASSERT_GT(whole.classes.size(), 1u);
-    Groom thin = small_groom();
+    GroomSettings thin = small_groom();
     thin.density = 0.3;
-    EXPECT_EQ(make_generator(thin).classes.of_guide, whole.classes.of_guide);
+    EXPECT_EQ(make_ready_groom(thin).classes.of_guide, whole.classes.of_guide);
     const ChunkedGroom chunked = make_chunked_groom(thin, 64);
-    EXPECT_EQ(chunked.generator.classes.of_guide, whole.classes.of_guide);
-    EXPECT_EQ(chunked.generator.classes.counts, whole.classes.counts);
+    EXPECT_EQ(chunked.ready.classes.of_guide, whole.classes.of_guide);
+    EXPECT_EQ(chunked.ready.classes.counts, whole.classes.counts);
 }
 
 TEST(StrandClasses, AreOneWhereAGroomSaysHowManyIntervalsOrHasFaces) {
-    Groom fixed = small_groom(), alike = fixed, faces = fixed;
+    GroomSettings fixed = small_groom(), alike = fixed, faces = fixed;
     fixed.intervals = 9;
     alike.adapt = false;
     faces.expand.shape = CurveShape::ribbon;
-    EXPECT_EQ(make_generator(fixed).classes.counts, std::vector<int>{9});
-    for (const Groom& groom : {alike, faces}) {
-        const Generator generator = make_generator(groom);
-        EXPECT_EQ(generator.classes.counts, std::vector<int>{generator.profiles.count});
+    EXPECT_EQ(make_ready_groom(fixed).classes.counts, std::vector<int>{9});
+    for (const GroomSettings& groom : {alike, faces}) {
+        const ReadyGroom ready = make_ready_groom(groom);
+        EXPECT_EQ(ready.classes.counts, std::vector<int>{ready.profiles.count});
     }
 }
 

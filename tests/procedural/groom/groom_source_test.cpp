@@ -9,7 +9,7 @@
 namespace lancret {
 namespace {
 
-Groom groom_of(const std::string& text, std::vector<GroomParameter> parameters) {
+GroomSettings groom_of(const std::string& text, std::vector<GroomParameter> parameters) {
     GroomSource source;
     source.text = text;
     source.parameters = std::move(parameters);
@@ -19,9 +19,9 @@ Groom groom_of(const std::string& text, std::vector<GroomParameter> parameters) 
 TEST(GroomParameters, TakeThePlaceOfWhatTheGroomSays) {
     const std::string text =
         "[guides]\ncount = 7\n[strands]\ncount = 10\nblend = 'bishop'\nadapt = true\n";
-    const Groom groom = groom_of(text, {{"strands.count", std::nullopt, 20},
-                                        {"strands.blend", "position", 0},
-                                        {"strands.adapt", std::nullopt, 0}});
+    const GroomSettings groom = groom_of(text, {{"strands.count", std::nullopt, 20},
+                                                {"strands.blend", "position", 0},
+                                                {"strands.adapt", std::nullopt, 0}});
     EXPECT_EQ(groom.strands, 20u);
     EXPECT_EQ(groom.expand.blend, Blend::position);
     EXPECT_FALSE(groom.adapt);

@@ -11,9 +11,9 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-Groom groom_of(std::string_view text) {
+GroomSettings groom_of(std::string_view text) {
     const TomlTable table = TomlTable::from_text(text, "g.toml");
-    Groom groom = read_groom(table, "g.toml");
+    GroomSettings groom = read_groom(table, "g.toml");
     table.finish();
     return groom;
 }
@@ -23,7 +23,7 @@ std::string error_of(std::string_view text) {
 }
 
 TEST(Groom, AnEmptyFileIsTheMadeGroom) {
-    const Groom groom = groom_of("");
+    const GroomSettings groom = groom_of("");
     EXPECT_EQ(groom.name, "g.toml");
     EXPECT_TRUE(groom.strands_file.empty());
     EXPECT_EQ(groom.strands, std::nullopt);
@@ -36,7 +36,7 @@ TEST(Groom, AnEmptyFileIsTheMadeGroom) {
 }
 
 TEST(Groom, ReadsEveryKey) {
-    const Groom groom = groom_of(R"(
+    const GroomSettings groom = groom_of(R"(
 [scene]
 up = "Z"
 metres_per_unit = 1
@@ -90,7 +90,7 @@ tip = 0.002
 }
 
 TEST(Groom, ReadsTheGroomToMake) {
-    const Groom groom = groom_of(
+    const GroomSettings groom = groom_of(
         "[guides.made]\nstrands = 77\nseed = 5\nshortest = 10\nlongest = 12\n"
         "curl_radius = 0.2\ncurl_wavelength = 3\nfrizz = 0\n");
     EXPECT_EQ(groom.made.strands, 77);
@@ -105,12 +105,12 @@ TEST(Groom, ReadsTheGroomToMake) {
 TEST(Groom, PathsAreRelativeToItsFolder) {
     TemporaryFolder folder;
     write_bytes(folder / "a.toml", "[guides]\nfile = \"b/c.hair\"\n");
-    const Groom groom = read_groom(TomlTable::from_file(folder / "a.toml"), "a");
+    const GroomSettings groom = read_groom(TomlTable::from_file(folder / "a.toml"), "a");
     EXPECT_EQ(groom.strands_file.lexically_normal(), folder / "b/c.hair");
 }
 
 TEST(Groom, GravityOfItsOwnStays) {
-    const Groom groom = groom_of("[scene]\nup = \"Z\"\ngravity = [0, 1, -2]\n");
+    const GroomSettings groom = groom_of("[scene]\nup = \"Z\"\ngravity = [0, 1, -2]\n");
     EXPECT_EQ(groom.scene.gravity, Vec3(0, 1, -2));
 }
 
@@ -171,7 +171,7 @@ TEST(GuideCount, NeverAsksForMoreThanThereAre) {
 }
 
 TEST(Groom, RibbonsAreBSplinesAlone) {
-    const Groom lawn =
+    const GroomSettings lawn =
         groom_of("[guides.made]\nkind = 'lawn'\n[strands]\nshape = 'ribbon'\n");
     EXPECT_EQ(lawn.made.kind, MadeKind::lawn);
     EXPECT_EQ(lawn.expand.shape, CurveShape::ribbon);

@@ -16,8 +16,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-Groom small_made_groom() {
-    Groom groom;
+GroomSettings small_made_groom() {
+    GroomSettings groom;
     groom.name = "small";
     groom.made.strands = 60;
     groom.guides.number = 20;
@@ -26,16 +26,16 @@ Groom small_made_groom() {
     return groom;
 }
 
-CheckReport check_of(const Generator& generator, Blend blend) {
-    ExpandSettings settings = generator.groom.expand;
+CheckReport check_of(const ReadyGroom& ready, Blend blend) {
+    ExpandSettings settings = ready.groom.expand;
     settings.blend = blend;
-    const Curves curves = expand(generator.binding, generator.profiles, settings);
+    const Curves curves = expand(ready.binding, ready.profiles, settings);
     CheckTolerances tolerances;
-    tolerances.distance = generator.groom.tolerance;
+    tolerances.distance = ready.groom.tolerance;
     const ClassedGuides alike =
-        one_class(generator.profiles, generator.binding.guide_normals, blend);
-    return check(generator.binding, generator.source.guides, alike, curves, blend,
-                 generator.groom.bind.length_scale, tolerances);
+        one_class(ready.profiles, ready.binding.guide_normals, blend);
+    return check(ready.binding, ready.source.guides, alike, curves, blend,
+                 ready.groom.bind.length_scale, tolerances);
 }
 
 double median(std::vector<double> values) {
@@ -43,56 +43,56 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-TEST(Generator, MakesTheSmallGroomFromEndToEnd) {
+TEST(ReadyGroom, MakesTheSmallGroomFromEndToEnd) {
     std::vector<std::string> stages;
-    const Generator generator = make_generator(
+    const ReadyGroom ready = make_ready_groom(
         small_made_groom(), [&](const char* stage) { stages.emplace_back(stage); });
     EXPECT_EQ(stages, (std::vector<std::string>{"load", "fit", "bind"}));
-    EXPECT_EQ(generator.source.groom_strands, 60u);
-    EXPECT_EQ(generator.source.guides.size(), 20u);
-    EXPECT_EQ(generator.source.fits.size(), 20u);
-    EXPECT_EQ(generator.source.normals.size(), 20u);
-    EXPECT_EQ(generator.binding.size(), 400u);
-    EXPECT_EQ(generator.binding.roots.uvs.size(), 400u);
-    EXPECT_EQ(generator.profiles.count % 24, 0);
-    EXPECT_TRUE(generator.source.whole_scalp);
-    ASSERT_TRUE(generator.source.body);
-    for (const Vec3f& p : generator.binding.roots.positions) {
+    EXPECT_EQ(ready.source.groom_strands, 60u);
+    EXPECT_EQ(ready.source.guides.size(), 20u);
+    EXPECT_EQ(ready.source.fits.size(), 20u);
+    EXPECT_EQ(ready.source.normals.size(), 20u);
+    EXPECT_EQ(ready.binding.size(), 400u);
+    EXPECT_EQ(ready.binding.roots.uvs.size(), 400u);
+    EXPECT_EQ(ready.profiles.count % 24, 0);
+    EXPECT_TRUE(ready.source.whole_scalp);
+    ASSERT_TRUE(ready.source.body);
+    for (const Vec3f& p : ready.binding.roots.positions) {
         // The scalp is a mesh inside the ellipsoid whose vertices lie on it.
         const double level = p.cast<double>().cwiseQuotient(kMadeHead).squaredNorm();
         EXPECT_LE(level, 1 + 1e-5);
         EXPECT_GT(level, 0.97);
     }
     // Guides of 25 to 35 cm, and so are the children.
-    for (const float length : generator.binding.lengths) {
+    for (const float length : ready.binding.lengths) {
         EXPECT_GT(length, 24);
         EXPECT_LT(length, 36);
     }
 }
 
-TEST(Generator, EveryChildOfTheSmallGroomPassesTheCheck) {
-    const Generator generator = make_generator(small_made_groom());
-    const CheckReport report = check_of(generator, Blend::option1);
+TEST(ReadyGroom, EveryChildOfTheSmallGroomPassesTheCheck) {
+    const ReadyGroom ready = make_ready_groom(small_made_groom());
+    const CheckReport report = check_of(ready, Blend::option1);
     std::size_t failed = 0;
     double longest = 0;
     for (const StrandCheck& s : report.strands) {
         longest = std::max(longest, std::abs(double(s.length_error)));
         EXPECT_LE(s.orthogonality, 1e-6);
         EXPECT_LE(s.root_distance, 1e-3);
-        EXPECT_TRUE(s.finite && s.inside_bound && s.inside_hull) << s.strand;
+        EXPECT_TRUE(s.finite && s.tip_within_reach && s.inside_hull) << s.strand;
         failed += !report.passes(s);
     }
     EXPECT_LE(longest, 1e-5);
     EXPECT_EQ(failed, 0u);
 }
 
-TEST(Generator, BlendOfPositionsLosesTheLengthThatOption1Keeps) {
-    const Generator generator = make_generator(small_made_groom());
+TEST(ReadyGroom, BlendOfPositionsLosesTheLengthThatOption1Keeps) {
+    const ReadyGroom ready = make_ready_groom(small_made_groom());
     std::vector<double> option1, position;
-    for (const StrandCheck& s : check_of(generator, Blend::option1).strands) {
+    for (const StrandCheck& s : check_of(ready, Blend::option1).strands) {
         option1.push_back(s.length_error);
     }
-    for (const StrandCheck& s : check_of(generator, Blend::position).strands) {
+    for (const StrandCheck& s : check_of(ready, Blend::position).strands) {
         position.push_back(s.length_error);
     }
     // A mean of unit tangents is shorter than one: never longer, and in waves that differ
@@ -102,23 +102,23 @@ TEST(Generator, BlendOfPositionsLosesTheLengthThatOption1Keeps) {
     EXPECT_NEAR(median(option1), 0, 1e-5);
 }
 
-TEST(Generator, IsTheSameEveryTime) {
-    const Generator a = make_generator(small_made_groom());
-    const Generator b = make_generator(small_made_groom());
+TEST(ReadyGroom, IsTheSameEveryTime) {
+    const ReadyGroom a = make_ready_groom(small_made_groom());
+    const ReadyGroom b = make_ready_groom(small_made_groom());
     EXPECT_EQ(a.source.guides.curvatures, b.source.guides.curvatures);
     EXPECT_EQ(a.binding.roots.positions, b.binding.roots.positions);
     EXPECT_EQ(a.binding.weights, b.binding.weights);
     EXPECT_EQ(a.profiles.count, b.profiles.count);
 }
 
-TEST(Generator, TakesGuidesFromACacheAsTheyAre) {
+TEST(ReadyGroom, TakesGuidesFromACacheAsTheyAre) {
     TemporaryFolder folder;
-    Groom groom = small_made_groom();
-    const Guides guides = make_generator(groom).source.guides;
+    GroomSettings groom = small_made_groom();
+    const Guides guides = make_ready_groom(groom).source.guides;
     write_guide_cache(folder / "guides.h5", {}, {&guides, 1});
     groom.strands_file = folder / "guides.h5";
     groom.strands = 20;  // on the guides' own roots: a cache alone has no scalp
-    const Generator cached = make_generator(groom);
+    const ReadyGroom cached = make_ready_groom(groom);
     EXPECT_EQ(cached.source.guides.root_positions, guides.root_positions);
     EXPECT_EQ(cached.source.guides.root_frames, guides.root_frames);
     EXPECT_EQ(cached.source.guides.segment_lengths, guides.segment_lengths);
@@ -129,24 +129,24 @@ TEST(Generator, TakesGuidesFromACacheAsTheyAre) {
         EXPECT_EQ(cached.source.normals[i], guides.root_frames[i].col(0).cast<float>());
     }
     groom.strands = 21;
-    EXPECT_THAT(input_error([&] { make_generator(groom); }), HasSubstr("--scalp"));
+    EXPECT_THAT(input_error([&] { make_ready_groom(groom); }), HasSubstr("--scalp"));
 }
 
-TEST(Generator, ScalesFilesToCentimetres) {
+TEST(ReadyGroom, ScalesFilesToCentimetres) {
     TemporaryFolder folder;
     Strands strands = make_groom({.strands = 30}).strands;
     write_hair(folder / "cm.hair", strands);
     for (Vec3f& p : strands.points) p /= 100;
     write_hair(folder / "m.hair", strands);
-    Groom groom = small_made_groom();
+    GroomSettings groom = small_made_groom();
     groom.guides.number = 30;
     groom.fit.segments = 8;
     groom.strands = 20;
     groom.strands_file = folder / "cm.hair";
-    const Generator centimetres = make_generator(groom);
+    const ReadyGroom centimetres = make_ready_groom(groom);
     groom.strands_file = folder / "m.hair";
     groom.scene.metres_per_unit = 1;
-    const Generator metres = make_generator(groom);
+    const ReadyGroom metres = make_ready_groom(groom);
     ASSERT_EQ(metres.source.guides.size(), 30u);
     for (std::size_t g = 0; g < 30; ++g) {
         // Points of up to 40 cm, rounded twice more on their way through metres.
@@ -159,7 +159,7 @@ TEST(Generator, ScalesFilesToCentimetres) {
     }
 }
 
-TEST(Generator, SnapsRootsToTheScalpAndCountsThem) {
+TEST(ReadyGroom, SnapsRootsToTheScalpAndCountsThem) {
     TemporaryFolder folder;
     // Straight strands 0.25 cm above a square, but for the first, which stands on it.
     Strands strands;
@@ -173,54 +173,54 @@ TEST(Generator, SnapsRootsToTheScalpAndCountsThem) {
     write_hair(folder / "a.hair", strands);
     write_bytes(folder / "square.obj",
                 "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n");
-    Groom groom = small_made_groom();
+    GroomSettings groom = small_made_groom();
     groom.strands_file = folder / "a.hair";
     groom.scalp_file = folder / "square.obj";
     groom.strands = 100;
-    const Generator generator = make_generator(groom);
-    EXPECT_EQ(generator.source.snapped_roots, 8u);
-    EXPECT_NEAR(generator.source.largest_snap, 0.25, 1e-6);
-    for (const Vec3& p : generator.source.guides.root_positions) {
+    const ReadyGroom ready = make_ready_groom(groom);
+    EXPECT_EQ(ready.source.snapped_roots, 8u);
+    EXPECT_NEAR(ready.source.largest_snap, 0.25, 1e-6);
+    for (const Vec3& p : ready.source.guides.root_positions) {
         EXPECT_NEAR(p.z(), 0, 1e-6);
     }
-    for (const Vec3f& n : generator.source.normals) EXPECT_EQ(n, Vec3f::UnitZ());
-    EXPECT_TRUE(check_of(generator, Blend::option1).pass());
+    for (const Vec3f& n : ready.source.normals) EXPECT_EQ(n, Vec3f::UnitZ());
+    EXPECT_TRUE(check_of(ready, Blend::option1).pass());
 }
 
-TEST(Generator, ErrorsNameTheFile) {
+TEST(ReadyGroom, ErrorsNameTheFile) {
     TemporaryFolder folder;
-    Groom groom = small_made_groom();
+    GroomSettings groom = small_made_groom();
     groom.strands_file = folder / "none.hair";
-    EXPECT_THAT(input_error([&] { make_generator(groom); }),
+    EXPECT_THAT(input_error([&] { make_ready_groom(groom); }),
                 StartsWith((folder / "none.hair").string()));
     groom = small_made_groom();
     groom.scalp_file = folder / "none.obj";
-    EXPECT_THAT(input_error([&] { make_generator(groom); }),
+    EXPECT_THAT(input_error([&] { make_ready_groom(groom); }),
                 StartsWith((folder / "none.obj").string()));
 }
 
-TEST(Generator, GrowsARealGroom) {
+TEST(ReadyGroom, GrowsARealGroom) {
     const std::filesystem::path data = LANCRET_SOURCE_DIR "/../shared/data";
     if (!std::filesystem::exists(data / "sintel.hair")) {
         GTEST_SKIP() << "no real grooms in " << data;
     }
-    Groom groom;
+    GroomSettings groom;
     groom.name = "sintel";
     groom.strands_file = data / "sintel.hair";
     groom.guides.number = 150;
     groom.strands = 1000;
-    const Generator generator = make_generator(groom);
+    const ReadyGroom ready = make_ready_groom(groom);
     std::vector<double> rms;
-    for (const FitReport& fit : generator.source.fits) {
+    for (const FitReport& fit : ready.source.fits) {
         rms.push_back(fit.rms / fit.length);
     }
     ASSERT_EQ(rms.size(), 150u);
     EXPECT_LT(median(rms), 0.01);
-    const CheckReport report = check_of(generator, Blend::option1);
+    const CheckReport report = check_of(ready, Blend::option1);
     for (const StrandCheck& s : report.strands) {
         EXPECT_LE(std::abs(s.length_error), 1e-5) << s.strand;
         EXPECT_LE(s.orthogonality, 1e-6) << s.strand;
-        EXPECT_TRUE(s.finite && s.inside_bound && s.inside_hull) << s.strand;
+        EXPECT_TRUE(s.finite && s.tip_within_reach && s.inside_hull) << s.strand;
     }
     EXPECT_TRUE(report.pass());
 }

@@ -44,7 +44,7 @@ Sum blended(const MadeHair& hair, const KernelGuides& guides, std::size_t i,
 
 /// Places beyond an end have 7 and 17 places in them, so c[0] has
 /// (54 + 10 * 8 + 18) / 36 < 4.3, c[1] 2.3, and the outermost, 6 p - 4 c[0] - c[1], this:
-constexpr double kMostTaps = 26;
+constexpr double kMaxTaps = 26;
 
 TEST(PositionKernel, SumsItsGuidesControlPointsOnEveryTarget) {
     for (const int intervals : {1, 2, 7, 13, 14, 29, 45}) {
@@ -92,8 +92,8 @@ TEST(PositionKernel, AGuidesRowsAreItsScalarControlPoints) {
                 const Vec3 c(row[0], row[guides.point_stride],
                              row[2 * guides.point_stride]);
                 // Places are good to 4 half ulps of the length, and each of the two
-                // roundings to as much; the outermost points have kMostTaps of them.
-                const double bound = length * kMostTaps * 8 * kHalfUlp;
+                // roundings to as much; the outermost points have kMaxTaps of them.
+                const double bound = length * kMaxTaps * 8 * kHalfUlp;
                 EXPECT_LT((place(points[j]) - c).norm(), bound) << g << ", " << j;
             }
         }
@@ -111,7 +111,7 @@ TEST(PositionKernel, IsTheScalarStrand) {
             for (std::size_t j = 0; j < 17; ++j) {
                 // Both round places of up to the strand's length, about 12 times, and
                 // what stands on the plane.
-                const double taps = j < 3 || j > 13 ? kMostTaps : 76.0 / 36;
+                const double taps = j < 3 || j > 13 ? kMaxTaps : 76.0 / 36;
                 const double bound =
                     kHalfUlp * (2 * 12 * taps * hair.binding.lengths[i] + 4 * 32);
                 const std::size_t at = i * 17 + j;

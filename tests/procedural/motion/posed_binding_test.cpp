@@ -16,17 +16,17 @@ namespace {
 using testing::HasSubstr;
 
 /// A made head of 60 strands, 20 guides and 400 children.
-const Generator& small_groom() {
-    static const Generator generator = [] {
-        Groom groom;
+const ReadyGroom& small_groom() {
+    static const ReadyGroom ready = [] {
+        GroomSettings groom;
         groom.name = "small";
         groom.made.strands = 60;
         groom.guides.number = 20;
         groom.fit.segments = 8;
         groom.strands = 400;
-        return make_generator(groom);
+        return make_ready_groom(groom);
     }();
-    return generator;
+    return ready;
 }
 
 const RigidPose kMoved{
@@ -40,7 +40,7 @@ Guides moved(Guides guides, const RigidPose& pose) {
 }
 
 /// The children of guides at a pose.
-Curves children(const Generator& rest, const Guides& guides, const ScalpPose& pose,
+Curves children(const ReadyGroom& rest, const Guides& guides, const ScalpPose& pose,
                 Blend blend) {
     Binding binding = rest.binding;
     pose_binding(binding, rest_places(rest.binding, rest.source), pose);
@@ -61,7 +61,7 @@ double distance_from_image(const Curves& rest, const Curves& posed,
 }
 
 TEST(Pose, RigidMotionOfEverythingMovesTheChildrenRigidly) {
-    const Generator& g = small_groom();
+    const ReadyGroom& g = small_groom();
     const Guides guides = moved(g.source.guides, kMoved);
     for (const Blend blend : {Blend::detail, Blend::position}) {
         const Curves rest = expand(g.binding, g.profiles, {.blend = blend});
@@ -75,7 +75,7 @@ TEST(Pose, RigidMotionOfEverythingMovesTheChildrenRigidly) {
 }
 
 TEST(Pose, InDoublePrecisionEveryBlendMovesRigidly) {
-    const Generator& g = small_groom();
+    const ReadyGroom& g = small_groom();
     Binding binding = g.binding;
     pose_binding(binding, rest_places(g.binding, g.source), kMoved);
     const int n = g.profiles.count;
@@ -106,7 +106,7 @@ TEST(Pose, InDoublePrecisionEveryBlendMovesRigidly) {
 }
 
 TEST(Pose, PosesDoNotAddUp) {
-    const Generator& g = small_groom();
+    const ReadyGroom& g = small_groom();
     const RestPlaces rest = rest_places(g.binding, g.source);
     Binding binding = g.binding;
     for (int i = 0; i < 3; ++i) pose_binding(binding, rest, kMoved);
@@ -119,7 +119,7 @@ TEST(Pose, PosesDoNotAddUp) {
 }
 
 TEST(Pose, TheRestMeshIsTheRestPose) {
-    const Generator& g = small_groom();
+    const ReadyGroom& g = small_groom();
     Binding binding = g.binding;
     const std::vector<Vec3> roots = pose_binding(
         binding, rest_places(g.binding, g.source), ScalpPose(g.source.scalp->mesh));
@@ -136,7 +136,7 @@ TEST(Pose, TheRestMeshIsTheRestPose) {
 TEST(Pose, AMeshThatStretchesTakesRootsAndNormalsAlong) {
     // z = 0.5 x over a square: every root rises by half its x, normals lean by (-1, 0,
     // 2).
-    const Generator& g = small_groom();
+    const ReadyGroom& g = small_groom();
     TriangleMesh sheared = g.source.scalp->mesh;
     for (Vec3f& p : sheared.positions) p.z() += 0.5f * p.x();
     Binding binding = g.binding;
@@ -154,7 +154,7 @@ TEST(Pose, AMeshThatStretchesTakesRootsAndNormalsAlong) {
 }
 
 TEST(Pose, CarriersGoAlongWithTheMesh) {
-    const Generator& g = small_groom();
+    const ReadyGroom& g = small_groom();
     const RestPlaces rest = rest_places(g.binding, g.source);
     const std::size_t count = rest.guide_places.size();
     const TriangleMesh& mesh = g.source.scalp->mesh;
@@ -179,7 +179,7 @@ TEST(Pose, CarriersGoAlongWithTheMesh) {
 }
 
 TEST(Pose, ARigidlyMovedMeshIsARigidPose) {
-    const Generator& g = small_groom();
+    const ReadyGroom& g = small_groom();
     const Guides guides = moved(g.source.guides, kMoved);
     const TriangleMesh mesh = posed_mesh(g.source.scalp->mesh, kMoved);
     const RestPlaces rest = rest_places(g.binding, g.source);
@@ -203,7 +203,7 @@ TEST(Pose, FollowsAHeadOnAPathOfKeys) {
     const ScalpMotion motion = path;
     const ScalpPose pose = scalp_pose(scalp_at(motion, 4));
     const RigidPose& rigid = std::get<RigidPose>(pose);
-    const Generator& g = small_groom();
+    const ReadyGroom& g = small_groom();
     Binding binding = g.binding;
     pose_binding(binding, rest_places(g.binding, g.source), pose);
     const RestRoot rest{{Mat3::Identity(), g.binding.roots.positions[5].cast<double>()},
@@ -217,7 +217,7 @@ TEST(Pose, FollowsAHeadOnAPathOfKeys) {
 }
 
 TEST(Pose, RefusesAMeshOfAnotherShape) {
-    const Generator& g = small_groom();
+    const ReadyGroom& g = small_groom();
     Binding binding = g.binding;
     RestPlaces rest = rest_places(g.binding, g.source);
     const auto error = [&](const TriangleMesh& mesh) {

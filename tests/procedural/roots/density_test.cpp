@@ -102,13 +102,13 @@ TEST(Density, LodIsOneUntilStrandsAreMoreThanAskedFor) {
     EXPECT_EQ(lod_density(1e6, 1000, 1), 1);
     EXPECT_EQ(lod_density(100, 1000, 1), 0.1);
     EXPECT_EQ(lod_density(100, 1000, 5), 0.5);
-    EXPECT_EQ(lod_density(0, 1000, 1), kLeastDensity);
+    EXPECT_EQ(lod_density(0, 1000, 1), kMinDensity);
     EXPECT_EQ(lod_density(std::nan(""), 1000, 1), 1);
     EXPECT_EQ(lod_density(1, 0, 1), 1);
 }
 
-Groom small_groom(double density) {
-    Groom groom;
+GroomSettings small_groom(double density) {
+    GroomSettings groom;
     groom.name = "small";
     groom.made.strands = 40;
     groom.guides.number = 12;
@@ -130,13 +130,13 @@ double area_of(const Curves& curves) {
 }
 
 TEST(Density, AGroomGrowsTheSamePlacesWiderAndTheAreaOfAll) {
-    const Generator all = make_generator(small_groom(1));
+    const ReadyGroom all = make_ready_groom(small_groom(1));
     const Curves whole = expand(all.binding, rest_guides(all), all.groom.expand);
     const double area = area_of(whole);
     std::vector<std::uint32_t> place(whole.strands);  // of an id
     for (std::uint32_t i = 0; i < whole.strands; ++i) place[whole.id_of(i)] = i;
     for (const double d : {0.5, 0.1, 0.02}) {
-        const Generator some = make_generator(small_groom(d));
+        const ReadyGroom some = make_ready_groom(small_groom(d));
         const Curves curves = expand(some.binding, rest_guides(some), some.groom.expand);
         ASSERT_EQ(curves.ids.size(), curves.strands);
         for (std::uint32_t i = 0; i < curves.strands; ++i) {

@@ -19,12 +19,12 @@ TEST(ContactSheet, HasAPlaceForEachPictureWithinItsBounds) {
             const ContactSheet sheet =
                 make_contact_sheet(pictures, width, height, Vec3f::Zero());
             const std::size_t tiles = (pictures + sheet.every - 1) / sheet.every;
-            EXPECT_LE(tiles, std::size_t(kMostSheetTiles));
+            EXPECT_LE(tiles, std::size_t(kMaxSheetTiles));
             EXPECT_GE(std::size_t(sheet.columns * sheet.rows), tiles);
             EXPECT_LT(std::size_t(sheet.columns * (sheet.rows - 1)), tiles);
-            EXPECT_LE(sheet.columns, kMostSheetColumns);
-            EXPECT_LE(sheet.image.width, kMostSheetSide);
-            EXPECT_LE(sheet.image.height, kMostSheetSide);
+            EXPECT_LE(sheet.columns, kMaxSheetColumns);
+            EXPECT_LE(sheet.image.width, kMaxSheetSide);
+            EXPECT_LE(sheet.image.height, kMaxSheetSide);
             EXPECT_LE(sheet.tile_width, width);
             EXPECT_LE(sheet.tile_height, height);
         }

@@ -38,7 +38,7 @@ TEST(Image, PngComesBackWithinHalfAStepOfItsCode) {
     const Image image = small_image();
     const Vec3f background(0.1f, 0.2f, 0.3f);
     write_image(path, image, background);
-    const ColourMap map = read_colour_map(path);
+    const Texture map = read_colour_map(path);
     ASSERT_EQ(map.width, 5);
     ASSERT_EQ(map.height, 3);
     for (std::size_t i = 0; i < 15; ++i)
@@ -54,7 +54,7 @@ TEST(Image, PngWithAlphaIsNotPremultiplied) {
     Image image(2, 1);
     image.rgba[0] << 0.2f, 0.1f, 0.05f, 0.5f;
     write_image(path, image);
-    const ColourMap map = read_colour_map(path);
+    const Texture map = read_colour_map(path);
     // A step of the sRGB code at 0.4 linear is 0.006.
     EXPECT_LT((map.texels[0] - Vec3f(0.4f, 0.2f, 0.1f)).cwiseAbs().maxCoeff(), 0.004f);
 }
@@ -63,7 +63,7 @@ TEST(Image, FloatPicturesAreReadAsTheyAre) {
     const fs::path path = fresh_folder("lancret_float") / "a.exr";
     const Image image = small_image();
     write_image(path, image);
-    const ColourMap map = read_colour_map(path);
+    const Texture map = read_colour_map(path);
     for (std::size_t i = 0; i < 15; ++i)
         EXPECT_EQ(map.texels[i], Vec3f(image.rgba[i].head<3>()));
 }

@@ -12,8 +12,8 @@ namespace lancret {
 namespace {
 
 /// 16 x 8 texels, one of them bright, some black.
-ColourMap uneven_map() {
-    ColourMap map{16, 8, {}};
+Texture uneven_map() {
+    Texture map{16, 8, {}};
     std::mt19937 random(1);
     for (int i = 0; i < 128; ++i) {
         const float x = unit_float(random());
@@ -90,7 +90,7 @@ TEST(Environment, AlongIsRadianceAndDensity) {
 }
 
 TEST(Environment, UpAxisIsTheMapsTop) {
-    ColourMap map{1, 2, {Vec3f(1, 0, 0), Vec3f(0, 1, 0)}};
+    Texture map{1, 2, {Vec3f(1, 0, 0), Vec3f(0, 1, 0)}};
     for (const Vec3f& up : {Vec3f(0, 1, 0), Vec3f(0, 0, 1), Vec3f(0, -1, 0)}) {
         const Environment environment(map, up);
         EXPECT_LT((environment.radiance(up) - Vec3f(1, 0, 0)).norm(), 1e-5f);
@@ -99,7 +99,7 @@ TEST(Environment, UpAxisIsTheMapsTop) {
 }
 
 TEST(Environment, RotationTurnsTheMapAboutTheUpAxis) {
-    const ColourMap map = uneven_map();
+    const Texture map = uneven_map();
     const Environment still(map), turned(map, Vec3f::UnitY(), 0.9f);
     const Eigen::AngleAxisf turn(0.9f, Vec3f::UnitY());
     std::mt19937 random(6);
@@ -112,7 +112,7 @@ TEST(Environment, RotationTurnsTheMapAboutTheUpAxis) {
 }
 
 TEST(Environment, RefusesWhatIsNotRadiance) {
-    EXPECT_THROW(Environment(ColourMap{}), std::invalid_argument);
+    EXPECT_THROW(Environment(Texture{}), std::invalid_argument);
     EXPECT_THROW(Environment(Vec3f(1, -1, 1)), std::invalid_argument);
     EXPECT_THROW(Environment(Vec3f(1, NAN, 1)), std::invalid_argument);
     EXPECT_THROW(Environment(uneven_map(), Vec3f::Zero()), std::invalid_argument);

@@ -27,10 +27,10 @@ struct SmallGroom : TemporaryFolder {
                     "[strands]\ncount = 9000\n" +
                         strands);
     }
-    Generator direct() const {
+    ReadyGroom direct() const {
         GroomSource source;
         source.path = file;
-        return make_generator(read_groom_source(source).groom);
+        return make_ready_groom(read_groom_source(source).groom);
     }
 };
 
@@ -68,10 +68,9 @@ TEST(PluginStrands, AreThoseOfExpandBitForBitInAnyBasisAndShape) {
         ASSERT_GT(groom.info().chunks, 1u);
         const PluginStrands strands(groom, {.times = {0}, .pixels = {}});
         const std::vector<Curves> curves = strands.curves();
-        const Generator generator = folder.direct();
+        const ReadyGroom ready = folder.direct();
         expect_same_strands(
-            curves.at(0),
-            expand(generator.binding, rest_guides(generator), generator.groom.expand));
+            curves.at(0), expand(ready.binding, rest_guides(ready), ready.groom.expand));
         // Embree is given them only where tables and buffers fit each other.
         EXPECT_NO_THROW(HairScene(curves.at(0), nullptr)) << settings;
         EXPECT_EQ(strands.info().strands, curves[0].strands);
@@ -93,7 +92,7 @@ TEST(PluginStrands, LevelOfDetailGrowsFewerOfThem) {
     const PluginGroom groom(folder.file, {}, {});
     const std::vector<double> pixels(groom.info().chunks, 100);
     const PluginStrands few(groom,
-                            {.times = {0}, .pixels = pixels, .strands_a_pixel = 2});
+                            {.times = {0}, .pixels = pixels, .strands_per_pixel = 2});
     // 200 a chunk, and a tenth more that fade.
     EXPECT_NEAR(double(few.size()), 200.0 * groom.info().chunks,
                 60.0 * groom.info().chunks);
@@ -108,7 +107,7 @@ TEST(PluginStrands, FiguresStandWhereTheirStrandsDo) {
     const StrandValues frames = strands.figures(LANCRET_ORTHOGONALITY, 0, curves);
     const StrandGuides guides = strands.guides();
     ASSERT_EQ(curvature.strands(), curves.strands);
-    const Generator direct = folder.direct();
+    const ReadyGroom direct = folder.direct();
     const Binding& binding = direct.binding;
     const StrandValues own =
         curvature_values(binding, rest_guides(direct), direct.groom.expand.blend);

@@ -58,8 +58,8 @@ TEST(Adaptive, OneBrightSampleCountsForThePixelsAroundIt) {
         }
 }
 
-struct Groom : HairyBall {
-    Groom() : HairyBall(64, 48, 1024) {}
+struct GroomSettings : HairyBall {
+    GroomSettings() : HairyBall(64, 48, 1024) {}
     Image image(std::uint64_t* paths = nullptr) const {
         return HairyBall::image([&](const RenderProgress& p) {
             if (paths) *paths = p.paths;
@@ -79,7 +79,7 @@ double noise(const Image& image, const Image& reference) {
 }
 
 TEST(Adaptive, ThePictureReachesItsNoiseWithFewerPathsThanAnEvenOne) {
-    Groom groom;
+    GroomSettings groom;
     groom.settings.seed = 7;
     const Image reference = groom.image();
     groom.settings.seed = 0;
@@ -91,14 +91,14 @@ TEST(Adaptive, ThePictureReachesItsNoiseWithFewerPathsThanAnEvenOne) {
         // twice as good as asked, which would be wasted.
         EXPECT_LT(reached, 1.05 * target);
         EXPECT_GT(reached, 0.5 * target);
-        Groom even;
+        GroomSettings even;
         even.settings.samples = int(paths / (64 * 48));
         EXPECT_LT(reached, noise(even.image(), reference)) << paths / (64.0 * 48);
     }
 }
 
 TEST(Adaptive, SameBitsForAnyNumberOfThreadsAndProgressively) {
-    Groom groom;
+    GroomSettings groom;
     groom.settings.noise = 0.3f;
     const auto same = [](const Image& a, const Image& b) {
         return std::memcmp(a.rgba.data(), b.rgba.data(),
@@ -117,7 +117,7 @@ TEST(Adaptive, SameBitsForAnyNumberOfThreadsAndProgressively) {
 }
 
 TEST(Adaptive, ProgressEndsAtOneAndNeverFalls) {
-    Groom groom;
+    GroomSettings groom;
     groom.settings.noise = 0.3f;
     double before = 0;
     render(groom.scene, groom.camera, groom.settings, [&](const RenderProgress& p) {

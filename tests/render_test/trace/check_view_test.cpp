@@ -93,7 +93,7 @@ TEST(CheckView, OneThatIsSeenAlongItselfIsDarkerByTheShareNamed) {
     const Vec3f along = view_radiance(ribbon.view, ray, hit, counter);
     ray.direction = -Vec3f::UnitZ();
     const Vec3f across = view_radiance(ribbon.view, ray, hit, counter);
-    EXPECT_LT((along - kLeastShade * across).norm(), 1e-6f);
+    EXPECT_LT((along - kMinShade * across).norm(), 1e-6f);
     EXPECT_EQ(counter.rays, 0u);
 }
 

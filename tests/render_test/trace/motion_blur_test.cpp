@@ -248,9 +248,9 @@ TEST(MotionBlur, TimesOfDifferentStrandsAreRefused) {
     EXPECT_THROW(make({{&a, &mesh}, {&a, &other}}), std::invalid_argument);
     EXPECT_THROW(make({{&a}, {nullptr}}), std::invalid_argument);
     EXPECT_THROW(make({}), std::invalid_argument);
-    EXPECT_THROW(make(std::vector<SceneTime>(kMostSceneTimes + 1, {&a})),
+    EXPECT_THROW(make(std::vector<SceneTime>(kMaxSceneTimes + 1, {&a})),
                  std::invalid_argument);
-    EXPECT_NO_THROW(make(std::vector<SceneTime>(kMostSceneTimes, {&a})));
+    EXPECT_NO_THROW(make(std::vector<SceneTime>(kMaxSceneTimes, {&a})));
 }
 
 }  // namespace

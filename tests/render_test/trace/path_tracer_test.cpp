@@ -223,7 +223,7 @@ TEST(PathTracer, AMeshShowsItsTextureAtItsUvs) {
     scene.mesh.colour = Vec3f(0.5f, 1, 1);
     // Top row red, green; bottom row blue, white.
     scene.mesh.texture =
-        ColourMap{2, 2, {Vec3f(1, 0, 0), Vec3f(0, 1, 0), Vec3f(0, 0, 1), Vec3f(1, 1, 1)}};
+        Texture{2, 2, {Vec3f(1, 0, 0), Vec3f(0, 1, 0), Vec3f(0, 0, 1), Vec3f(1, 1, 1)}};
     scene.lights = Lights(Environment(Vec3f::Ones()));
     const auto shown = [&](float x, float y) {
         Mean channels[3];

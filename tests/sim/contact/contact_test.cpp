@@ -166,13 +166,13 @@ TEST(RodContact, ForceBetweenStrandsIsTheSlopeOfItsEnergy) {
         Touching t(seed);
         t.strands = {0.1, 20, 0.3, 0.02, 5};
         std::mt19937_64 random(seed);
-        t.near.resize(t.places.size() * RodContact::kMostNear);
+        t.near.resize(t.places.size() * RodContact::kMaxNear);
         t.counts.assign(t.places.size(), 3);
         for (std::size_t i = 0; i < t.near.size(); ++i) {
             // From within touching to beyond the well of cohesion.
             const Vec3 way = random_vector(random, 1).normalized();
             const double away = 0.02 + 0.45 * double(i % 17) / 17;
-            t.near[i] = {t.places[i / RodContact::kMostNear] + away * way,
+            t.near[i] = {t.places[i / RodContact::kMaxNear] + away * way,
                          random_vector(random, 0.05), way.unitOrthogonal(), 0.5};
         }
         for (Vec3& x : t.places) x += random_vector(random, 0.03);
@@ -183,13 +183,13 @@ TEST(RodContact, ForceBetweenStrandsIsTheSlopeOfItsEnergy) {
 TEST(RodContact, CohesionIsAWellThatDoesNotEndInACliff) {
     Touching t(2);
     t.strands = {0.1, 20, 0, 0, 5};
-    t.near.resize(t.places.size() * RodContact::kMostNear);
+    t.near.resize(t.places.size() * RodContact::kMaxNear);
     t.counts.assign(t.places.size(), 0);
     t.counts[7] = 1;
     double before = -1;
     for (double away = 0.2; away < 0.5; away += 0.001) {
-        t.near[7 * RodContact::kMostNear] = {t.places[7] + Vec3(0, 0, away), Vec3::Zero(),
-                                             Vec3::UnitX(), 1};
+        t.near[7 * RodContact::kMaxNear] = {t.places[7] + Vec3(0, 0, away), Vec3::Zero(),
+                                            Vec3::UnitX(), 1};
         const double now = t.energy(t.rod.curvatures);
         // Rises all the way out, then stays.
         EXPECT_GE(now, before - 1e-15) << away;

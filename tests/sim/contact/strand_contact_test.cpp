@@ -119,8 +119,8 @@ TEST(StrandContact, NeighboursAreForeseenWithTheirVelocities) {
         ASSERT_EQ(neighbours.counts(0)[i], moving.counts(0)[i]);
         if (neighbours.counts(0)[i] == 0) continue;
         ++found;
-        const StrandNear& still = neighbours.near(0)[i * RodContact::kMostNear];
-        const StrandNear& now = moving.near(0)[i * RodContact::kMostNear];
+        const StrandNear& still = neighbours.near(0)[i * RodContact::kMaxNear];
+        const StrandNear& now = moving.near(0)[i * RodContact::kMaxNear];
         EXPECT_LT((now.move - Vec3(0, 0, 0.01)).norm(), 1e-14);
         EXPECT_LT((now.place - still.place - now.move).norm(), 1e-14);
         EXPECT_LT((now.tangent - Vec3(0, 1, 0)).norm(), 1e-14);

@@ -48,7 +48,7 @@ std::vector<std::pair<double, std::uint32_t>> brute_force(const Points& points,
     std::vector<std::pair<double, std::uint32_t>> out;
     for (const auto& [strand, found] : nearest) out.push_back(found);
     std::ranges::sort(out);
-    out.resize(std::min<std::size_t>(out.size(), StrandGrid::kMost));
+    out.resize(std::min<std::size_t>(out.size(), StrandGrid::kMax));
     return out;
 }
 
@@ -64,7 +64,7 @@ int expect_brute_force(StrandGrid& grid, const Points& points, double radius) {
             EXPECT_EQ(found[k].point, expected[k].second);
             EXPECT_EQ(found[k].distance, std::sqrt(expected[k].first));
         }
-        full += found.size() == StrandGrid::kMost;
+        full += found.size() == StrandGrid::kMax;
     }
     return full;
 }

@@ -110,7 +110,7 @@ TEST(SegmentKernel, RotationsCommuteOnlyUpToTheirCrossProduct) {
 }
 
 TEST(GaussLegendre, IsExactToItsDegree) {
-    for (int n = 1; n <= kMostGaussPoints; ++n) {
+    for (int n = 1; n <= kMaxGaussPoints; ++n) {
         const GaussRule rule = gauss_rule(n);
         for (int degree = 0; degree < 2 * n; ++degree) {
             double sum = 0;
@@ -125,7 +125,7 @@ TEST(GaussLegendre, IsExactToItsDegree) {
 TEST(GaussLegendre, PointsAreWholeGroupsOfFour) {
     EXPECT_EQ(gauss_points(0), 8);
     EXPECT_EQ(gauss_points(3.01), 12);
-    EXPECT_EQ(gauss_points(1e300), kMostGaussPoints);
+    EXPECT_EQ(gauss_points(1e300), kMaxGaussPoints);
 }
 
 }  // namespace

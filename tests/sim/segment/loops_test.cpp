@@ -59,11 +59,11 @@ TEST(SegmentLoops, WideRegistersGiveTheSameBits) {
         };
         // A chain of such segments, whose inertia is positive definite as it must be.
         const auto solution = [&](const SegmentLoops& loops) {
-            std::vector<RodBlocks> rod(5);
+            std::vector<SegmentBlock> rod(5);
             std::vector<double> x(15), diagonal(15, 2.), load(15, 0.1);
             double sums[kSegmentSums + 1] = {};
             loops.sums(loop, sums);
-            for (RodBlocks& s : rod) {
+            for (SegmentBlock& s : rod) {
                 s = {};
                 std::copy_n(frame, 9, s.frame);
                 std::copy_n(motion[0], 3, s.offset);

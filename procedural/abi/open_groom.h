@@ -31,23 +31,23 @@ struct GuideArrays {
 };
 
 /// Where the search for intervals ends that a host's own error takes.
-inline constexpr int kMostIntervalsAsked = 1024;
+inline constexpr int kMaxIntervalsAsked = 1024;
 
 /// Poses that are kept even for calls of one time.
 inline constexpr std::size_t kPosesKept = 16;
 
 /// Read by any number of threads.
-class Prepared {
+class OpenGroom {
   public:
     using Warn = std::function<void(const std::string& text)>;
 
     /// Loads, fits, places and cuts. `warn` is told, from any thread and as long as this
     /// lives, what later calls cannot keep. Throws InputError, Cancelled.
-    Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
-             const StageCallback& stage, Warn warn);
+    OpenGroom(const SourcedGroom& sourced, std::uint32_t chunk_strands,
+              const StageCallback& stage, Warn warn);
 
     const ChunkedGroom& groom() const { return groom_; }
-    const Generator& generator() const { return groom_.generator; }
+    const ReadyGroom& ready() const { return groom_.ready; }
     const GroomTimes& times() const { return times_; }
     const GuideArrays& guide_arrays() const { return arrays_; }
 

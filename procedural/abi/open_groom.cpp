@@ -1,4 +1,4 @@
-#include "procedural/abi/prepared.h"
+#include "procedural/abi/open_groom.h"
 
 #include <fmt/format.h>
 
@@ -9,18 +9,18 @@
 
 namespace lancret::abi {
 
-Prepared::Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
-                   const StageCallback& stage, Warn warn)
+OpenGroom::OpenGroom(const SourcedGroom& sourced, std::uint32_t chunk_strands,
+                     const StageCallback& stage, Warn warn)
     : warn_(std::move(warn)),
       cache_(stamp_of(cache_of(sourced.groom))),  // before anything of it is read
       groom_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
       times_(groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom))) {
-    if (times_.moves()) prepare_frames(groom_.generator, times_);
+    if (times_.moves()) prepare_frames(groom_.ready, times_);
     // Copied, fitted and placed.
-    groom_.generator.groom.own_strands.reset();
-    groom_.generator.groom.own_scalp.reset();
+    groom_.ready.groom.own_strands.reset();
+    groom_.ready.groom.own_scalp.reset();
     expect_same_cache();
-    const GroomGuides& source = generator().source;
+    const PlacedGuides& source = ready().source;
     for (const Mat3& frame : source.guides.root_frames) {
         for (int r = 0; r < 3; ++r) {
             for (int c = 0; c < 3; ++c) arrays_.root_frames.push_back(frame(r, c));
@@ -29,26 +29,26 @@ Prepared::Prepared(const SourcedGroom& sourced, std::uint32_t chunk_strands,
     for (const FitReport& fit : source.fits) arrays_.fit_rms.push_back(fit.rms);
 }
 
-void Prepared::expect_same_cache() const {
+void OpenGroom::expect_same_cache() const {
     if (!times_.moves() || stamp_of(times_.cache) == cache_) return;
     throw InputError(times_.cache.string() + ": has changed since it was opened");
 }
 
-double Prepared::frame_at(double time) const {
+double OpenGroom::frame_at(double time) const {
     if (!times_.moves()) return 0;
     return std::clamp(time, double(times_.first()), double(times_.last()));
 }
 
-std::shared_ptr<const GuidePose> Prepared::pose(
+std::shared_ptr<const GuidePose> OpenGroom::pose(
     double frame, const std::shared_ptr<const StrandClasses>& classes) const {
     return poses_.get({frame, classes.get()}, [&] {
         expect_same_cache();
-        const GroomGuides& source = generator().source;
+        const PlacedGuides& source = ready().source;
         const bool moves = times_.moves();
         auto out = std::make_shared<GuidePose>();
         out->classes = classes;
         out->guides =
-            moves ? guides_at(times_, source.places, frame) : generator().source.guides;
+            moves ? guides_at(times_, source.places, frame) : ready().source.guides;
         expect_same_cache();
         // No children yet: the guides' normals alone.
         Binding none;
@@ -59,28 +59,27 @@ std::shared_ptr<const GuidePose> Prepared::pose(
             posed_scalp(rest, on_head ? times_.pose_at(frame) : ScalpPose(RigidPose{}));
         if (moves) pose_binding_on(none, rest, out->scalp);
         out->classed = classed_guides(out->guides, *classes, none.guide_normals,
-                                      generator().groom.expand.blend);
+                                      ready().groom.expand.blend);
         return out;
     });
 }
 
-std::shared_ptr<const StrandClasses> Prepared::classes(CurveBasis basis, float max_error,
-                                                       bool alike) const {
-    const Groom& own = generator().groom;
+std::shared_ptr<const StrandClasses> OpenGroom::classes(CurveBasis basis, float max_error,
+                                                        bool alike) const {
+    const GroomSettings& own = ready().groom;
     const bool as_groom = max_error == 0;
     if (basis == CurveBasis::bezier) basis = CurveBasis::hermite;  // the same curves
     const bool all_alike = alike || !own.adapt || own.expand.has_faces();
     return classes_.get({basis, max_error, all_alike}, [&] {
         if (as_groom && (own.intervals || basis == own.expand.basis)) {
             return std::make_shared<const StrandClasses>(
-                all_alike ? StrandClasses{{generator().profiles.count}}
-                          : generator().classes);
+                all_alike ? StrandClasses{{ready().profiles.count}} : ready().classes);
         }
         const double tolerance = as_groom ? own.tolerance : double(max_error);
         expect_same_cache();
         double reached = 0;
-        const int finest = intervals_in_time(generator(), times_, basis, tolerance,
-                                             kMostIntervalsAsked, &reached);
+        const int finest = intervals_in_time(ready(), times_, basis, tolerance,
+                                             kMaxIntervalsAsked, &reached);
         if (reached > tolerance) {
             warn_(fmt::format(
                 "{}: curves are up to {:.2g} cm off their strands, not {:.2g} as asked "
@@ -89,20 +88,19 @@ std::shared_ptr<const StrandClasses> Prepared::classes(CurveBasis basis, float m
         }
         return std::make_shared<const StrandClasses>(
             all_alike ? StrandClasses{{finest}}
-                      : classes_in_time(generator(), times_, basis, tolerance, finest));
+                      : classes_in_time(ready(), times_, basis, tolerance, finest));
     });
 }
 
-std::size_t Prepared::bytes() const {
-    const GroomGuides& source = generator().source;
+std::size_t OpenGroom::bytes() const {
+    const PlacedGuides& source = ready().source;
     const auto of = [](const auto& v) { return v.size() * sizeof(v[0]); };
-    std::size_t out = groom_.bytes() + generator().binding.bytes() +
-                      generator().sample.bytes() + of(arrays_.root_frames) +
-                      of(arrays_.fit_rms);
+    std::size_t out = groom_.bytes() + ready().binding.bytes() + ready().sample.bytes() +
+                      of(arrays_.root_frames) + of(arrays_.fit_rms);
     out += of(source.guides.root_positions) + of(source.guides.root_frames) +
            of(source.guides.segment_lengths) + of(source.guides.curvatures);
     out += of(source.grown_roots) + of(source.grown_tangents) + of(source.normals);
-    const GuideProfiles<float>& profiles = generator().profiles;
+    const GuideProfiles<float>& profiles = ready().profiles;
     out += of(profiles.intervals) + of(profiles.joints) + of(profiles.root_frames) +
            of(profiles.lengths) + of(profiles.positions) + of(profiles.frames) +
            of(profiles.curvatures) + of(profiles.bishop) + of(profiles.spines) +
