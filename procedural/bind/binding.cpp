@@ -208,33 +208,4 @@ Binding picked(const Binding& binding, std::span<const std::uint32_t> which) {
     return out;
 }
 
-template <class T>
-BoundChild<T> bound_child(const Binding& binding, const GuideProfiles<T>& profiles,
-                          std::size_t i) {
-    BoundChild<T> out;
-    const std::size_t k = binding.neighbours;
-    const Vec3T<T> up = binding.roots.normals[i].cast<T>();
-    T sum = 0;
-    for (std::size_t j = 0; j < k; ++j) {
-        const float weight = binding.weights[i * k + j];
-        if (!(weight > 0)) continue;
-        const std::uint32_t g = binding.guides[i * k + j];
-        const Vec3T<T> guide_up = binding.guide_normals[g].cast<T>();
-        out.guides[out.count] = g;
-        out.weights[out.count] = T(weight);
-        out.to_space[out.count] =
-            smallest_rotation<T>(guide_up, up) * profiles.root_frames[g];
-        sum += T(weight);
-        ++out.count;
-    }
-    for (std::size_t j = 0; j < out.count; ++j) out.weights[j] /= sum;
-    out.length = T(binding.lengths[i]);
-    return out;
-}
-
-template BoundChild<float> bound_child(const Binding&, const GuideProfiles<float>&,
-                                       std::size_t);
-template BoundChild<double> bound_child(const Binding&, const GuideProfiles<double>&,
-                                        std::size_t);
-
 }  // namespace lancret

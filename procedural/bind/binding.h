@@ -2,38 +2,17 @@
 // Which guides each child has, and by how much: made once, in the rest pose, and never
 // changed with time, so that nothing pops.
 
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "guides/helix/guides.h"
-#include "procedural/blend/blend.h"
+#include "procedural/bind/settings.h"
 #include "procedural/roots/roots.h"
 
 namespace lancret {
 
 class GuideLookup;
-class Partings;
-
-struct BindSettings {
-    int neighbours = 4;      ///< guides a child, 1 to kMaxNeighbours
-    double exponent = 2;     ///< a of |x - x_k|^-a [TW99, Sec. 4.3], >= 0
-    float length_scale = 1;  ///< a child's length over the weighted length of its guides
-    bool facing = true;  ///< the factor (S.T_k) H(S.T_k); false where no normal is known
-    /// cm, > 0: a guide as far as this has weight zero, and goes there continuously.
-    double max_distance = std::numeric_limits<double>::infinity();
-    /// radian, > 0, between the scalp's normals at child and guide: a guide at this angle
-    /// is no candidate; from half of it on it counts less and less.
-    double max_angle = std::numeric_limits<double>::infinity();
-};
-
-/// What keeps children from guides; nothing by default.
-struct BindBorders {
-    std::vector<std::uint32_t> guide_regions;  ///< [guides], or empty: all are one
-    std::vector<std::uint32_t> child_regions;  ///< [children], or empty as well
-    const Partings* partings = nullptr;        ///< that no child's guides lie across
-};
 
 /// What binding had to work around, by name: numbers of children.
 struct BindReport {
@@ -93,25 +72,5 @@ Binding bind(Roots roots, const Guides& guides, const GuideLookup& bound,
 /// Some of a binding's children, in the order of `which`, with the bits that they have
 /// there and an empty report.
 Binding picked(const Binding& binding, std::span<const std::uint32_t> which);
-
-/// Child i as a blend reads it, with room for what it points to. `profiles` may be of any
-/// time; the turn from guide to child is that between the scalp's normals of the pose
-/// that the binding is in: that of rest, carried along, where the head moves rigidly.
-template <class T>
-struct BoundChild {
-    std::uint32_t guides[kMaxNeighbours];
-    T weights[kMaxNeighbours];
-    Mat3T<T> to_space[kMaxNeighbours];
-    std::size_t count = 0;
-    T length = 0;
-
-    Child<T> child() const {
-        return {{guides, count}, {weights, count}, {to_space, count}, length};
-    }
-};
-
-template <class T>
-BoundChild<T> bound_child(const Binding& binding, const GuideProfiles<T>& profiles,
-                          std::size_t i);
 
 }  // namespace lancret

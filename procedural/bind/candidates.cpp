@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "procedural/bind/binding.h"
 #include "procedural/bind/weights.h"
 
 namespace lancret {

@@ -13,14 +13,9 @@
 #include "guides/base/point_tree.h"
 #include "guides/helix/guides.h"
 #include "procedural/bind/partings.h"
+#include "procedural/bind/settings.h"
 
 namespace lancret {
-
-struct BindSettings;
-
-/// The most guides that are looked at for a child: partings and angles may hide that many
-/// before it is given up.
-inline constexpr std::size_t kMaxCandidates = 256;
 
 /// A search tree for the guides of each region.
 class GuideIndex {

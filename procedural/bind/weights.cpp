@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "procedural/bind/candidates.h"
+#include "procedural/bind/settings.h"
 
 namespace lancret {
 

@@ -146,17 +146,6 @@ DistributionFigures compare(std::vector<Weighted>& real, std::vector<Weighted>& 
     return out;
 }
 
-double quantile(std::vector<double> values, double share) {
-    if (values.empty()) return 0;
-    const double at = share * double(values.size() - 1);
-    const auto below = values.begin() + std::ptrdiff_t(at);
-    std::ranges::nth_element(values, below);
-    const double low = *below;
-    if (below + 1 == values.end()) return low;
-    const double high = *std::min_element(below + 1, values.end());
-    return low + (at - std::floor(at)) * (high - low);
-}
-
 StrandFigures strand_figures(const StrandSamples& truth, std::span<const double> lengths,
                              const StrandSamples& made) {
     if (truth.steps < 2 || made.steps != truth.steps || truth.points.empty() ||

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "guides/base/quantile.h"
 #include "guides/base/types.h"
 
 namespace lancret {
@@ -21,11 +22,6 @@ struct StrandSamples {
     std::span<Vec3> strand(std::size_t i) {
         return std::span(points).subspan(i * (steps + 1), steps + 1);
     }
-};
-
-/// Quantiles over the strands.
-struct Spread {
-    double median = 0, p95 = 0;
 };
 
 /// How a distribution differs from the real one.
@@ -85,9 +81,5 @@ void add_torsions(std::span<const Vec3> strand, std::vector<Weighted>& out);
 /// distance between them over the mean size of the real ones. Sorts both. Where all that
 /// is real is zero the distance is absolute and the ratio 1.
 DistributionFigures compare(std::vector<Weighted>& real, std::vector<Weighted>& made);
-
-/// The value below which a share of them lies, between neighbours in proportion; 0 of
-/// none.
-double quantile(std::vector<double> values, double share);
 
 }  // namespace lancret

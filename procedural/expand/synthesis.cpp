@@ -4,18 +4,6 @@
 
 namespace lancret {
 
-template <class T>
-void synthesize_child(const Binding& binding, const GuideProfiles<T>& profiles,
-                      Blend blend, std::size_t i, std::span<HelixState<T>> states) {
-    const BoundChild<T> bound = bound_child(binding, profiles, i);
-    blend_function<T>(blend)(bound.child(), profiles, states);
-}
-
-template void synthesize_child(const Binding&, const GuideProfiles<float>&, Blend,
-                               std::size_t, std::span<HelixState<float>>);
-template void synthesize_child(const Binding&, const GuideProfiles<double>&, Blend,
-                               std::size_t, std::span<HelixState<double>>);
-
 void synthesize(const Binding& binding, const GuideProfiles<float>& profiles,
                 const KernelGuides& guides, Blend blend, std::size_t first,
                 std::size_t count, std::span<HelixState<float>> states) {

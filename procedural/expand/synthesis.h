@@ -5,18 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "procedural/bind/binding.h"
+#include "procedural/bind/child.h"
 #include "procedural/curves/control_points.h"
 #include "procedural/kernels/kernel_guides.h"
 
 namespace lancret {
-
-/// Child i by the scalar blends: profiles.count + 1 places at equal steps of arc length,
-/// positions from its root in cm. The same bits on every machine: what is decided once
-/// and for all is decided by these, and the kernels are compared with them.
-template <class T>
-void synthesize_child(const Binding& binding, const GuideProfiles<T>& profiles,
-                      Blend blend, std::size_t i, std::span<HelixState<T>> states);
 
 /// How the strands of a blend go on beyond their ends. The places of `position` are
 /// weighted sums, and so are its ends: of frames that are carried along they know

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "procedural/evaluate/strand_figures.h"
+#include "guides/base/quantile.h"
 
 namespace lancret {
 

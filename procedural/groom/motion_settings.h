@@ -1,9 +1,9 @@
 #pragma once
 // What a groom's TOML says of how its head moves: the table [motion].
 
-#include "guides/motion/scalp_motion.h"
+#include "guides/motion/scalp_pose.h"
 #include "guides/toml/table.h"
-#include "procedural/motion/posed_binding.h"
+#include "procedural/groom/groom.h"
 
 namespace lancret {
 

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "procedural/expand/synthesis.h"
+#include "procedural/bind/child.h"
 #include "procedural/kernels/curl_kernel.h"
 #include "procedural/kernels/strand_batch.h"
 // after what they use, each after the other

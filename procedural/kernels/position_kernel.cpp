@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-#include "procedural/kernels/light_child.h"
+#include "procedural/bind/child.h"
 #include "procedural/kernels/position_kernel.h"
 // after what it uses
 #include "procedural/kernels/copy_points.inl"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "procedural/kernels/strand_kernels.h"
+#include "procedural/kernels/kernel_input.h"
 
 namespace lancret {
 

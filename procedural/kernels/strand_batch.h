@@ -4,7 +4,7 @@
 
 #include <hwy/aligned_allocator.h>
 
-#include "procedural/kernels/light_child.h"
+#include "procedural/bind/child.h"
 #include "procedural/kernels/strand_kernels.h"
 
 namespace lancret {

@@ -10,7 +10,7 @@
 #include "guides/base/types.h"
 #include "render_test/image/deep.h"
 #include "render_test/image/ranked_ids.h"
-#include "render_test/light/environment.h"
+#include "render_test/image/texture.h"
 
 namespace lancret {
 

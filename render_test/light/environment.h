@@ -1,21 +1,12 @@
 #pragma once
 // Light from infinitely far, all around.
 
-#include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "guides/base/types.h"
+#include "render_test/image/texture.h"
 
 namespace lancret {
-
-/// Linear RGB texels, row after row from the top.
-struct Texture {
-    int width = 0, height = 0;
-    std::vector<Vec3f> texels;  ///< [width * height]
-
-    const Vec3f& at(int x, int y) const { return texels[std::size_t(y) * width + x]; }
-};
 
 /// A direction to light, and what comes from there.
 struct LightSample {

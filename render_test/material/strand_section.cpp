@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_test/material/hair_bsdf.h"
+
 namespace lancret {
 namespace {
 
@@ -23,10 +25,6 @@ Vec2f reflect(const Vec2f& d, const Vec2f& n) {
 }
 
 }  // namespace
-
-float StrandSection::half_width() const {
-    return std::sqrt(square(std::cos(angle)) + square(aspect * std::sin(angle)));
-}
 
 SectionPaths section_paths(const StrandSection& section, float h, float cosine_o,
                            float bravais, float eta) {

@@ -3,18 +3,9 @@
 
 #include <array>
 
-#include "render_test/material/hair_bsdf.h"
+#include "render_test/scene/hit.h"
 
 namespace lancret {
-
-/// A strand's section as the viewer sees it. Half axes are 1 and `aspect`, in radii.
-struct StrandSection {
-    float aspect = 1;  ///< minor over major, (0, 1]
-    float angle = 0;   ///< radian, of the major axis from y towards z (HairBsdf's axes)
-
-    /// Half of the width that the viewer sees, radii.
-    float half_width() const;
-};
 
 /// The specular paths of one ray from the viewer, traced in the plane across the strand
 /// with Bravais' index, by which an inclined ray refracts there as if it were not

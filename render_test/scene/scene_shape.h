@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "render_test/material/strand_section.h"
 #include "render_test/scene/embree_scene.h"
 #include "render_test/scene/smooth_normals.h"
 #include "render_test/scene/strand_axis.h"

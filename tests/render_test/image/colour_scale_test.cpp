@@ -20,14 +20,14 @@ float lightness(const Vec3f& c) {
 // cut and its lightness be another by far more.
 constexpr float kTolerance = 1e-5f;
 
-TEST(Texture, LightnessIsInProportionToTheValue) {
+TEST(ColourScale, LightnessIsInProportionToTheValue) {
     for (int i = 0; i <= 100; ++i) {
         const float t = float(i) / 100;
         EXPECT_NEAR(lightness(sequential_colour(t)), 0.38f + 0.54f * t, kTolerance) << t;
     }
 }
 
-TEST(Texture, BothSidesOfZeroAreAsDark) {
+TEST(ColourScale, BothSidesOfZeroAreAsDark) {
     for (int i = 0; i <= 100; ++i) {
         const float t = float(i) / 100;
         EXPECT_NEAR(lightness(diverging_colour(t)), 0.88f - 0.33f * t, kTolerance) << t;
@@ -40,13 +40,13 @@ TEST(Texture, BothSidesOfZeroAreAsDark) {
     EXPECT_GT(diverging_colour(-1).z(), 3 * diverging_colour(-1).x());
 }
 
-TEST(Texture, BeyondTheEndsIsTheEnd) {
+TEST(ColourScale, BeyondTheEndsIsTheEnd) {
     EXPECT_EQ(sequential_colour(-3), sequential_colour(0));
     EXPECT_EQ(sequential_colour(1e30f), sequential_colour(1));
     EXPECT_EQ(diverging_colour(-7), diverging_colour(-1));
 }
 
-TEST(Texture, CategoriesNearInNumberAreFarInColour) {
+TEST(ColourScale, CategoriesNearInNumberAreFarInColour) {
     for (std::uint32_t a = 0; a < 60; ++a) {
         // Of three lightnesses none is cut at the gamut's edge.
         EXPECT_NEAR(lightness(category_colour(a)),
@@ -60,7 +60,7 @@ TEST(Texture, CategoriesNearInNumberAreFarInColour) {
     }
 }
 
-TEST(Texture, NoColourOfAScaleIsTakenForAFailure) {
+TEST(ColourScale, NoColourOfAScaleIsTakenForAFailure) {
     for (int i = 0; i <= 100; ++i)
         EXPECT_GT((sequential_colour(float(i) / 100) - kFailColour).norm(), 0.3f) << i;
 }
