@@ -14,11 +14,9 @@
 namespace lancret {
 
 void log_warnings(const ReadyGroom& ready) {
-    for (const std::string& warning : ready.source.warnings) {
+    for (const std::string& warning : warning_lines(ready.source)) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }
-    const std::string roots = roots_line(ready.source);
-    if (!roots.empty()) fmt::print(stderr, "lancret: warning: {}\n", roots);
 }
 
 ReadyGroom make_ready_groom_with_progress(const GroomSettings& groom) {

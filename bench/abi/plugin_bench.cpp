@@ -128,7 +128,7 @@ void through_plugin(benchmark::State& run, const MovingCache* moving) {
     } else {
         source.text = kGroom.c_str();
     }
-    lancret_info info{};
+    lancret_groom_info info{};
     info.size = sizeof info;
     if (lancret_context_create(LANCRET_ABI_VERSION, nullptr, &context) != LANCRET_OK ||
         lancret_groom_open(context, &source, &groom, nullptr, 0) != LANCRET_OK ||

@@ -10,12 +10,14 @@ namespace lancret::abi {
 
 namespace {
 
-/// By the roots alone, wherever the scalp carries them.
-ChunkBox reach_of(const OpenGroom& groom, std::uint32_t chunk, const Request& request) {
+/// From the roots only, at the places to which the scalp carries them.
+ChunkBox reach_of_roots(const OpenGroom& groom, std::uint32_t index,
+                        const Request& request) {
     const ReadyGroom& ready = groom.ready();
+    const ChunkedGroom& chunked = groom.chunked();
     ChunkBinding roots{request, {}, {}};
     roots.binding.roots =
-        child_roots(ready.source, groom.groom().places, groom.groom().chunks.of(chunk));
+        child_roots(ready.source, chunked.places, chunked.chunks.of(index));
     roots.binding.guide_normals = ready.source.normals;
     Eigen::AlignedBox3f box;
     PosedBinding posed(groom, roots);
@@ -30,11 +32,11 @@ ChunkBox reach_of(const OpenGroom& groom, std::uint32_t chunk, const Request& re
                      settings_of(groom, request), request.density);
 }
 
-ChunkBox tight_bound(const OpenGroom& groom, const ChunkBinding& bound) {
-    const Request& request = bound.request;
+ChunkBox tight_box(const OpenGroom& groom, const ChunkBinding& chunk) {
+    const Request& request = chunk.request;
     const ExpandSettings settings = settings_of(groom, request);
     ChunkBox out;
-    PosedBinding posed(groom, bound);
+    PosedBinding posed(groom, chunk);
     for (const double frame : request.frames) {
         const auto pose = groom.pose(frame, request.classes);
         out.extend(chunk_box(posed.at(*pose), pose->classed, settings));
@@ -45,13 +47,13 @@ ChunkBox tight_bound(const OpenGroom& groom, const ChunkBinding& bound) {
 
 }  // namespace
 
-Eigen::AlignedBox3f bound_box(const OpenGroom& groom, std::uint32_t chunk,
-                              const lancret_options* options, int kind) {
-    const Request request = read_request(groom, chunk, options);
-    const ChunkBox found = kind == LANCRET_REACH
-                               ? reach_of(groom, chunk, request)
-                               : tight_bound(groom, bind_request(groom, chunk, options));
-    const Eigen::AlignedBox3f box = found.box();
+Eigen::AlignedBox3f box_of_chunk(const OpenGroom& groom, std::uint32_t index,
+                                 const lancret_options* options, int kind) {
+    const Request request = read_request(groom, index, options);
+    const ChunkBox cm = kind == LANCRET_REACH
+                            ? reach_of_roots(groom, index, request)
+                            : tight_box(groom, bind_request(groom, index, options));
+    const Eigen::AlignedBox3f box = cm.box();
     if (box.isEmpty()) return box;
     return {box.min() * float(request.scale), box.max() * float(request.scale)};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Boxes of chunks.
+// Bounding boxes of chunks.
 
 #include <Eigen/Geometry>
 
@@ -7,9 +7,10 @@
 
 namespace lancret::abi {
 
-/// A box that holds the chunk with its widths at the options' times and between them, in
-/// the options' unit. Empty where no strand is grown. Throws BadCall, InputError.
-Eigen::AlignedBox3f bound_box(const OpenGroom& groom, std::uint32_t chunk,
-                              const lancret_options* options, int kind);
+/// The box of chunk `index` with its widths, at the times of the options and between
+/// them, in the unit of the options. Empty if no strand is grown. `kind` is LANCRET_REACH
+/// or LANCRET_TIGHT. Throws BadCall, InputError, Cancelled.
+Eigen::AlignedBox3f box_of_chunk(const OpenGroom& groom, std::uint32_t index,
+                                 const lancret_options* options, int kind);
 
 }  // namespace lancret::abi

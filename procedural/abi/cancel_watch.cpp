@@ -7,7 +7,7 @@ namespace lancret::abi {
 
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenQuestions{2};
+constexpr std::chrono::milliseconds kPollInterval{2};
 
 }  // namespace
 
@@ -51,13 +51,13 @@ void CancelWatch::watch() {
             changed_.wait(lock);
             continue;
         }
-        changed_.wait_for(lock, kBetweenQuestions);
+        changed_.wait_for(lock, kPollInterval);
         if (ending_ || calls_.empty()) continue;
-        // The host may take its time to answer, or call us itself.
+        // The host may be slow to answer, or may call this library.
         lock.unlock();
-        const bool enough = cancelled();
+        const bool cancel = cancelled();
         lock.lock();
-        if (!enough) continue;
+        if (!cancel) continue;
         for (tbb::task_group_context* call : calls_) call->cancel_group_execution();
     }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Asking a host, while it waits for us, whether it still wants the result.
+// Polls the host's `cancelled` callback while calls run.
 
 #include <oneapi/tbb/task_group.h>
 
@@ -12,8 +12,9 @@
 
 namespace lancret::abi {
 
-/// Asks a host's cancel callback every few milliseconds while calls run, and cancels them
-/// all when it says so. Without a callback it does nothing and has no thread.
+/// Calls the host's `cancelled` callback every few milliseconds while calls run, and
+/// cancels all of them if it returns non-zero. Has no thread if there is no callback.
+/// `host` must outlive it.
 class CancelWatch {
   public:
     explicit CancelWatch(const lancret_host& host);
@@ -21,7 +22,7 @@ class CancelWatch {
     CancelWatch(const CancelWatch&) = delete;
     CancelWatch& operator=(const CancelWatch&) = delete;
 
-    /// Whether the host says so now.
+    /// Calls the callback once, on this thread; false if there is none.
     bool cancelled() const;
     void add(tbb::task_group_context& call);
     void remove(tbb::task_group_context& call);

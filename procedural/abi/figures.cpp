@@ -1,4 +1,4 @@
-// What is known of a chunk's strands besides their curves.
+// Entry points for the figures of a chunk's strands, and for how binding went.
 
 #include <algorithm>
 
@@ -11,30 +11,30 @@ namespace lancret::abi {
 
 namespace {
 
-std::vector<float> region_values(const OpenGroom& groom, const ChunkBinding& bound) {
+std::vector<float> region_values(const OpenGroom& groom, const ChunkBinding& chunk) {
     const PlacedGuides& source = groom.ready().source;
     if (!source.regions.map && source.regions.strands.empty()) {
         throw InputError(groom.ready().groom.name + ": has no regions");
     }
     const std::vector<std::uint32_t> regions =
-        child_regions(source.regions, source.grown_roots, bound.binding.roots);
+        child_regions(source.regions, source.grown_roots, chunk.binding.roots);
     return {regions.begin(), regions.end()};
 }
 
-std::vector<float> figures_of(const OpenGroom& groom, const ChunkBinding& bound,
+std::vector<float> figures_of(const OpenGroom& groom, const ChunkBinding& chunk,
                               int figure, std::size_t time) {
-    if (figure == LANCRET_REGION) return region_values(groom, bound);
-    const GroomSettings& own = groom.ready().groom;
-    const ExpandSettings settings = settings_of(groom, bound.request);
-    const auto pose = groom.pose(bound.request.frames[time], bound.request.classes);
-    PosedBinding binding(groom, bound);
+    if (figure == LANCRET_REGION) return region_values(groom, chunk);
+    const ExpandSettings settings = settings_of(groom, chunk.request);
+    const auto pose = groom.pose(chunk.request.frames[time], chunk.request.classes);
+    PosedBinding binding(groom, chunk);
     const Binding& posed = binding.at(*pose);
     const ClassedGuides& classed = pose->classed;
     switch (figure) {
         case LANCRET_LENGTH_ERROR: {
             const Curves curves = expand(posed, classed, settings);
+            const float length_scale = groom.ready().groom.bind.length_scale;
             return length_error_values(check(posed, pose->guides, classed, curves,
-                                             settings.blend, own.bind.length_scale, {}))
+                                             settings.blend, length_scale, {}))
                 .values;
         }
         case LANCRET_ORTHOGONALITY:
@@ -50,11 +50,11 @@ std::vector<float> figures_of(const OpenGroom& groom, const ChunkBinding& bound,
     }
 }
 
-lancret_chunk_info info_of(const ChunkBinding& bound) {
-    const BindReport& report = bound.binding.report;
+lancret_chunk_info info_of(const ChunkBinding& chunk) {
+    const BindReport& report = chunk.binding.report;
     lancret_chunk_info out{};
-    out.strands = lancret_u32(bound.binding.size());
-    out.bytes = bound.binding.bytes();
+    out.strands = lancret_u32(chunk.binding.size());
+    out.bytes = chunk.binding.bytes();
     out.no_facing_guide = lancret_u32(report.no_facing_guide);
     out.no_guide_in_reach = lancret_u32(report.no_guide_in_reach);
     out.no_guide_in_sight = lancret_u32(report.no_guide_in_sight);
@@ -70,20 +70,20 @@ lancret_chunk_info info_of(const ChunkBinding& bound) {
 
 using namespace lancret::abi;
 
-lancret_status lancret_chunk_get_info(const lancret_chunk* bound,
+lancret_status lancret_chunk_get_info(const lancret_chunk* chunk,
                                       lancret_chunk_info* info) {
-    if (!bound) return LANCRET_BAD_CALL;
-    return run(bound->context,
-               [&] { write_sized(info, info_of(bound->own), "lancret_chunk_info"); });
+    if (!chunk) return LANCRET_BAD_CALL;
+    return run(chunk->context,
+               [&] { write_sized(info, info_of(chunk->bound), "lancret_chunk_info"); });
 }
 
-lancret_status lancret_chunk_get_figures(const lancret_chunk* bound, int figure,
+lancret_status lancret_chunk_get_figures(const lancret_chunk* chunk, int figure,
                                          std::size_t time, float* values) {
-    if (!bound) return LANCRET_BAD_CALL;
-    return run(bound->context, [&] {
+    if (!chunk) return LANCRET_BAD_CALL;
+    return run(chunk->context, [&] {
         require(values, "values");
         require(figure >= LANCRET_LENGTH_ERROR && figure <= LANCRET_REGION, "figure");
-        require(time < bound->own.request.frames.size(), "there is no such time");
-        std::ranges::copy(figures_of(*bound->groom, bound->own, figure, time), values);
+        require(time < chunk->bound.request.frames.size(), "time is out of range");
+        std::ranges::copy(figures_of(*chunk->groom, chunk->bound, figure, time), values);
     });
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a file is still the one that was seen.
+// Detects that a file was replaced or rewritten.
 
 #include <cstdint>
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace lancret::abi {
 
-/// Of a file that is not there the size is none.
+/// Size and modification time of a file.
 struct FileStamp {
     std::uintmax_t size = 0;
     std::filesystem::file_time_type time;
@@ -15,10 +15,11 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
+/// Throws nothing: all files that cannot be read have the same stamp.
 inline FileStamp stamp_of(const std::filesystem::path& file) {
-    std::error_code unknown;
-    return {std::filesystem::file_size(file, unknown),
-            std::filesystem::last_write_time(file, unknown)};
+    std::error_code ignored;
+    return {std::filesystem::file_size(file, ignored),
+            std::filesystem::last_write_time(file, ignored)};
 }
 
 }  // namespace lancret::abi

@@ -12,13 +12,13 @@ namespace lancret::abi {
 OpenGroom::OpenGroom(const SourcedGroom& sourced, std::uint32_t chunk_strands,
                      const StageCallback& stage, Warn warn)
     : warn_(std::move(warn)),
-      cache_(stamp_of(cache_of(sourced.groom))),  // before anything of it is read
-      groom_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
+      cache_(stamp_of(cache_of(sourced.groom))),  // before the cache is read
+      chunked_(make_chunked_groom(sourced.groom, chunk_strands, stage)),
       times_(groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom))) {
-    if (times_.moves()) prepare_frames(groom_.ready, times_);
-    // Copied, fitted and placed.
-    groom_.ready.groom.own_strands.reset();
-    groom_.ready.groom.own_scalp.reset();
+    if (times_.moves()) prepare_frames(chunked_.ready, times_);
+    // No longer needed: the guides are fitted and placed.
+    chunked_.ready.groom.own_strands.reset();
+    chunked_.ready.groom.own_scalp.reset();
     expect_same_cache();
     const PlacedGuides& source = ready().source;
     for (const Mat3& frame : source.guides.root_frames) {
@@ -50,15 +50,15 @@ std::shared_ptr<const GuidePose> OpenGroom::pose(
         out->guides =
             moves ? guides_at(times_, source.places, frame) : ready().source.guides;
         expect_same_cache();
-        // No children yet: the guides' normals alone.
-        Binding none;
-        none.guide_normals = source.normals;
-        const RestPlaces rest = rest_places(none, source);
+        // Guides only, no children.
+        Binding guides_only;
+        guides_only.guide_normals = source.normals;
+        const RestPlaces rest = rest_places(guides_only, source);
         const bool on_head = moves && times_.pose_at;
         out->scalp =
             posed_scalp(rest, on_head ? times_.pose_at(frame) : ScalpPose(RigidPose{}));
-        if (moves) pose_binding_on(none, rest, out->scalp);
-        out->classed = classed_guides(out->guides, *classes, none.guide_normals,
+        if (moves) pose_binding_on(guides_only, rest, out->scalp);
+        out->classed = classed_guides(out->guides, *classes, guides_only.guide_normals,
                                       ready().groom.expand.blend);
         return out;
     });
@@ -66,25 +66,25 @@ std::shared_ptr<const GuidePose> OpenGroom::pose(
 
 std::shared_ptr<const StrandClasses> OpenGroom::classes(CurveBasis basis, float max_error,
                                                         bool alike) const {
-    const GroomSettings& own = ready().groom;
+    const GroomSettings& groom = ready().groom;
     const bool as_groom = max_error == 0;
     if (basis == CurveBasis::bezier) basis = CurveBasis::hermite;  // the same curves
-    const bool all_alike = alike || !own.adapt || own.expand.has_faces();
+    const bool all_alike = alike || !groom.adapt || groom.expand.has_faces();
     return classes_.get({basis, max_error, all_alike}, [&] {
-        if (as_groom && (own.intervals || basis == own.expand.basis)) {
+        if (as_groom && (groom.intervals || basis == groom.expand.basis)) {
             return std::make_shared<const StrandClasses>(
                 all_alike ? StrandClasses{{ready().profiles.count}} : ready().classes);
         }
-        const double tolerance = as_groom ? own.tolerance : double(max_error);
+        const double tolerance = as_groom ? groom.tolerance : double(max_error);
         expect_same_cache();
         double reached = 0;
         const int finest = intervals_in_time(ready(), times_, basis, tolerance,
-                                             kMaxIntervalsAsked, &reached);
+                                             kMaxRequestedIntervals, &reached);
         if (reached > tolerance) {
             warn_(fmt::format(
-                "{}: curves are up to {:.2g} cm off their strands, not {:.2g} as asked "
-                "for: a strand has at most {} intervals",
-                own.name, reached, tolerance, finest));
+                "{}: curves deviate from their strands by up to {:.2g} cm, more than the "
+                "requested {:.2g} cm: strands have at most {} intervals",
+                groom.name, reached, tolerance, finest));
         }
         return std::make_shared<const StrandClasses>(
             all_alike ? StrandClasses{{finest}}
@@ -95,8 +95,9 @@ std::shared_ptr<const StrandClasses> OpenGroom::classes(CurveBasis basis, float 
 std::size_t OpenGroom::bytes() const {
     const PlacedGuides& source = ready().source;
     const auto of = [](const auto& v) { return v.size() * sizeof(v[0]); };
-    std::size_t out = groom_.bytes() + ready().binding.bytes() + ready().sample.bytes() +
-                      of(arrays_.root_frames) + of(arrays_.fit_rms);
+    std::size_t out = chunked_.bytes() + ready().binding.bytes() +
+                      ready().sample.bytes() + of(arrays_.root_frames) +
+                      of(arrays_.fit_rms);
     out += of(source.guides.root_positions) + of(source.guides.root_frames) +
            of(source.guides.segment_lengths) + of(source.guides.curvatures);
     out += of(source.grown_roots) + of(source.grown_tangents) + of(source.normals);

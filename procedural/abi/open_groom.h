@@ -1,5 +1,5 @@
 #pragma once
-// A groom that is open: what all handles on the same source share.
+// An open groom, shared by all handles with the same source.
 
 #include <functional>
 #include <memory>
@@ -16,7 +16,7 @@
 
 namespace lancret::abi {
 
-/// The guides and the scalp at one time, cut for some classes of strands.
+/// The guides and the scalp at one time, sampled for the given strand classes.
 struct GuidePose {
     std::shared_ptr<const StrandClasses> classes;
     Guides guides;
@@ -24,57 +24,58 @@ struct GuidePose {
     ClassedGuides classed;
 };
 
-/// The guides as the interface gives them.
+/// Arrays of lancret_guides that differ from the layout of Guides.
 struct GuideArrays {
     std::vector<double> root_frames;  ///< [guides][3][3], row by row
     std::vector<double> fit_rms;      ///< [guides], or empty
 };
 
-/// Where the search for intervals ends that a host's own error takes.
-inline constexpr int kMaxIntervalsAsked = 1024;
+/// Maximum number of intervals per strand if the host sets max_error.
+inline constexpr int kMaxRequestedIntervals = 1024;
 
-/// Poses that are kept even for calls of one time.
+/// Number of poses that are cached even if every call has a single time.
 inline constexpr std::size_t kPosesKept = 16;
 
-/// Read by any number of threads.
+/// All members may be called by any number of threads at once.
 class OpenGroom {
   public:
     using Warn = std::function<void(const std::string& text)>;
 
-    /// Loads, fits, places and cuts. `warn` is told, from any thread and as long as this
-    /// lives, what later calls cannot keep. Throws InputError, Cancelled.
+    /// Loads the groom, fits its guides, places its strands and divides them into chunks.
+    /// `warn` may be called from any thread for the lifetime of this object, if a later
+    /// call cannot meet its tolerance. Throws InputError, Cancelled.
     OpenGroom(const SourcedGroom& sourced, std::uint32_t chunk_strands,
               const StageCallback& stage, Warn warn);
 
-    const ChunkedGroom& groom() const { return groom_; }
-    const ReadyGroom& ready() const { return groom_.ready; }
+    const ChunkedGroom& chunked() const { return chunked_; }
+    const ReadyGroom& ready() const { return chunked_.ready; }
     const GroomTimes& times() const { return times_; }
     const GuideArrays& guide_arrays() const { return arrays_; }
 
-    /// A time as what is there at it: held where the cache ends, 0 where nothing moves.
+    /// The frame number at `time`: clamped to the range of the cache, 0 if static.
     double frame_at(double time) const;
-    /// Of a call that asks for so many times of each chunk, one after the other.
+    /// Caches at least this many poses from now on: the times of one chunk request.
     void expect_times(std::size_t times) const { poses_.keep_at_least(times); }
-    /// The last few of these are kept, or as many as were ever expected. Throws
-    /// InputError, Cancelled.
+    /// The pose at a frame number as returned by `frame_at`. The most recent poses are
+    /// cached. Throws InputError, Cancelled.
     std::shared_ptr<const GuidePose> pose(
         double frame, const std::shared_ptr<const StrandClasses>& classes) const;
-    /// The numbers of intervals that keep curves of `basis` within `max_error` cm of the
-    /// strands, at 0 within the groom's own tolerance. All strands are `alike` where they
-    /// have faces. Throws InputError, Cancelled.
+    /// Interval counts that keep curves of `basis` within `max_error` cm of the strands,
+    /// or within the groom's tolerance if it is 0. A single class if `alike`, and for
+    /// strands with faces. Throws InputError, Cancelled.
     std::shared_ptr<const StrandClasses> classes(CurveBasis basis, float max_error,
                                                  bool alike) const;
-    /// Kept while this is open; of what can be made again nothing.
+    /// Memory held by this object, without its caches.
     std::size_t bytes() const;
 
   private:
-    /// Frames are read when they are wanted: of a cache that is still the one that was
-    /// opened. Throws InputError where it is not.
+    /// Frames are read on demand, so the cache file must not change. Throws InputError if
+    /// it has.
     void expect_same_cache() const;
 
     Warn warn_;
     FileStamp cache_;
-    ChunkedGroom groom_;
+    ChunkedGroom chunked_;
     GroomTimes times_;
     GuideArrays arrays_;
     mutable SharedByKey<std::pair<double, const StrandClasses*>, GuidePose> poses_{

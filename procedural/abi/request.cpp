@@ -9,20 +9,20 @@ namespace lancret::abi {
 
 namespace {
 
-constexpr float kMinError = 1e-4f;  // cm, as in a groom's file
+constexpr float kMinError = 1e-4f;  // cm, as for strands.tolerance in a groom's file
 constexpr std::uint32_t kKnownAttributes =
     LANCRET_TANGENTS | LANCRET_NORMALS | LANCRET_IDS | LANCRET_ROOT_UV | LANCRET_LENGTHS |
     LANCRET_GUIDES | LANCRET_ARC_LENGTHS | LANCRET_RANDOM;
 
-/// Written so that a NaN is refused.
+/// Both are false for a NaN.
 bool is_share(double x) { return x >= 0 && x <= 1; }
 bool is_amount(double x) { return x >= 0 && x <= 1e30; }
 
 }  // namespace
 
-Request read_request(const OpenGroom& groom, std::uint32_t chunk,
+Request read_request(const OpenGroom& groom, std::uint32_t index,
                      const lancret_options* options) {
-    require(chunk < groom.groom().chunks.size(), "there is no such chunk");
+    require(index < groom.chunked().chunks.size(), "chunk index is out of range");
     lancret_options in{};
     in.size = sizeof in;
     if (options) in = read_sized(options, "lancret_options and its size");
@@ -58,7 +58,7 @@ Request read_request(const OpenGroom& groom, std::uint32_t chunk,
     out.density = in.density > 0 ? in.density : ready.groom.density;
     if (in.strands_per_pixel > 0) {
         out.density = std::min(
-            out.density, lod_density(in.pixels, groom.groom().chunks.of(chunk).size(),
+            out.density, lod_density(in.pixels, groom.chunked().chunks.of(index).size(),
                                      in.strands_per_pixel));
     }
     out.density = std::max(out.density, kMinDensity);

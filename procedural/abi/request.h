@@ -1,5 +1,5 @@
 #pragma once
-// What a host asks of a chunk.
+// The options of a chunk request.
 
 #include <algorithm>
 #include <vector>
@@ -9,30 +9,30 @@
 
 namespace lancret::abi {
 
-/// Times of one call.
+/// Maximum number of times per call.
 inline constexpr std::size_t kMaxTimes = 256;
 
-/// Options that were looked at, for one chunk.
+/// Validated options for one chunk.
 struct Request {
-    int basis = 0;  ///< LANCRET_LINEAR, ...
-    std::vector<double>
-        frames;  ///< at least one: what is there at each time: see OpenGroom::frame_at
-    CurveBasis curve = CurveBasis::linear;         ///< the same
-    float max_error = 0;                           ///< cm; 0: the groom's own
-    std::shared_ptr<const StrandClasses> classes;  ///< how finely strands are cut
+    int basis = 0;                          ///< LANCRET_LINEAR, ...
+    CurveBasis curve = CurveBasis::linear;  ///< the same
+    std::vector<double> frames;  ///< frame numbers, at least one; see OpenGroom::frame_at
+    float max_error = 0;         ///< cm; 0: the groom's tolerance
+    std::shared_ptr<const StrandClasses> classes;  ///< interval counts
     double density = 1;
-    std::uint32_t attributes = 0;
-    double scale = 1;  ///< units of what is given back in a cm
+    std::uint32_t attributes = 0;  ///< LANCRET_TANGENTS | ...
+    double scale = 1;              ///< output units per cm
 
-    /// Whether all times are one.
+    /// Whether all times are the same frame number.
     bool is_still() const {
         return std::ranges::count(frames, frames[0]) == std::ptrdiff_t(frames.size());
     }
     bool wants(std::uint32_t attribute) const { return attributes & attribute; }
 };
 
-/// Null options are the defaults. Throws BadCall.
-Request read_request(const OpenGroom& groom, std::uint32_t chunk,
+/// Validates the options of chunk `index`; null options are the defaults. Throws BadCall,
+/// InputError, Cancelled.
+Request read_request(const OpenGroom& groom, std::uint32_t index,
                      const lancret_options* options);
 
 }  // namespace lancret::abi

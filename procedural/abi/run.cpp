@@ -1,14 +1,17 @@
+#include "procedural/abi/run.h"
+
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
-#include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
 #include <cfenv>
 #include <cstring>
 #include <exception>
+#include <new>
 
+#include "guides/base/cancel.h"
 #include "guides/base/errors.h"
 #include "procedural/abi/handles.h"
 
@@ -16,8 +19,8 @@ namespace lancret::abi {
 
 namespace {
 
-/// The processor's rounding, traps and treatment of tiny numbers as a program finds them,
-/// whatever the host has changed, until this ends.
+/// Default rounding, traps and handling of denormals for the lifetime of this object,
+/// whatever the host has set.
 class PlainArithmetic {
   public:
     PlainArithmetic() {
@@ -32,7 +35,7 @@ class PlainArithmetic {
     std::fenv_t before_;
 };
 
-/// One call that the host may cancel.
+/// One call, which the host may cancel.
 class Call {
   public:
     explicit Call(CancelWatch& watch) : watch_(watch) {
@@ -44,24 +47,23 @@ class Call {
     Call& operator=(const Call&) = delete;
 
     void run(WorkRef work, int threads) {
-        // More than the machine has would have TBB say so on stderr.
+        // TBB prints a warning if an arena has more threads than the machine.
         tbb::task_arena arena(threads > 0
                                   ? std::min(threads, tbb::info::default_concurrency())
                                   : tbb::task_arena::automatic);
         std::exception_ptr thrown;
         bool done = false;
         arena.execute([&] {
-            // One turn of a loop, on this thread. A task group would forget, as it ends,
-            // that it was cancelled.
+            // A loop of one iteration, on this thread. A task group would reset its
+            // cancelled state when it ends.
             tbb::parallel_for(
                 tbb::blocked_range<int>(0, 1),
                 [&](const tbb::blocked_range<int>&) {
-                    // Thrown past TBB it would be lost where the work was cancelled
-                    // before.
+                    // TBB drops an exception of a loop that was cancelled before.
                     try {
                         work();
                         done = true;
-                    } catch (const SinkEnded&) {  // the host's own word
+                    } catch (const SinkEnded&) {  // the host's status, kept as it is
                         thrown = std::current_exception();
                         done = true;
                     } catch (...) {
@@ -70,8 +72,8 @@ class Call {
                 },
                 tbb::simple_partitioner(), group_);
         });
-        // Of work that was cut short whatever it says is wrong. What never began was
-        // cancelled.
+        // The result of cancelled work is meaningless, and so is its exception. Work that
+        // never began was cancelled.
         if (!done && (!thrown || group_.is_group_execution_cancelled())) {
             throw Cancelled();
         }
@@ -100,15 +102,15 @@ void log(const lancret_context& context, int level, const std::string& text) {
 }
 
 lancret_status run(lancret_context& context, WorkRef work, std::string* error) noexcept {
-    const auto tell = [&](lancret_status status, const char* what) noexcept {
+    const auto report = [&](lancret_status status, const char* what) noexcept {
         try {
             std::string text = what;
-            // One line, whatever names there are in it.
+            // One line, even if it quotes names with control characters.
             std::ranges::replace_if(
                 text, [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
             if (error) *error = text;
             if (status != LANCRET_CANCELLED) log(context, LANCRET_LOG_ERROR, text);
-        } catch (...) {  // no memory for the words: the status says enough
+        } catch (...) {  // out of memory for the text: the status has to do
         }
         return status;
     };
@@ -119,17 +121,17 @@ lancret_status run(lancret_context& context, WorkRef work, std::string* error) n
     } catch (const SinkEnded& ended) {
         return ended.status;
     } catch (const InputError& fault) {
-        return tell(LANCRET_BAD_INPUT, fault.what());
+        return report(LANCRET_BAD_INPUT, fault.what());
     } catch (const BadCall& fault) {
-        return tell(LANCRET_BAD_CALL, fault.what);
+        return report(LANCRET_BAD_CALL, fault.what);
     } catch (const Cancelled& cancelled) {
-        return tell(LANCRET_CANCELLED, cancelled.what());
+        return report(LANCRET_CANCELLED, cancelled.what());
     } catch (const std::bad_alloc&) {
-        return tell(LANCRET_OUT_OF_MEMORY, "out of memory");
+        return report(LANCRET_OUT_OF_MEMORY, "out of memory");
     } catch (const std::exception& fault) {
-        return tell(LANCRET_FAILED, fault.what());
+        return report(LANCRET_FAILED, fault.what());
     } catch (...) {
-        return tell(LANCRET_FAILED, "unknown");
+        return report(LANCRET_FAILED, "unknown exception");
     }
 }
 

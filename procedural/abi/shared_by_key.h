@@ -1,5 +1,5 @@
 #pragma once
-// Values that are made once and shared by all who ask for the same.
+// A cache of shared values, each made once.
 
 #include <algorithm>
 #include <chrono>
@@ -14,29 +14,29 @@
 
 namespace lancret::abi {
 
-/// One value a key, made by whoever asks first while others wait. A value lives as long
-/// as somebody holds it; the last few live longer, up to `most` of them.
+/// One value per key, made by the first caller while others wait for it. A value lives as
+/// long as it is held; in addition the `kept` most recent values are held here.
 template <class Key, class Value>
 class SharedByKey {
   public:
-    explicit SharedByKey(std::size_t most) : most_(most) {}
+    explicit SharedByKey(std::size_t kept) : kept_(kept) {}
 
-    /// From now on no fewer than so many live longer.
-    void keep_at_least(std::size_t most) {
+    /// Raises the number of recent values that are held.
+    void keep_at_least(std::size_t kept) {
         const std::lock_guard lock(mutex_);
-        most_ = std::max(most_, most);
+        kept_ = std::max(kept_, kept);
     }
 
-    /// The value of `key`; `make()` returns it as a std::shared_ptr<const Value> where
-    /// there is none, and may throw. Who waits stops, with Cancelled, when cancelled.
+    /// The value of `key`. Calls `make()` if there is none, which returns a
+    /// std::shared_ptr<const Value> and may throw. Throws Cancelled while it waits.
     template <class Make>
     std::shared_ptr<const Value> get(const Key& key, const Make& make) {
         std::unique_lock lock(mutex_);
         for (;;) {
-            const auto at = slots_.find(key);
-            if (at == slots_.end()) break;
-            if (auto value = at->second.value.lock()) return keep(key, value, lock);
-            if (!at->second.making) break;
+            const auto slot = slots_.find(key);
+            if (slot == slots_.end()) break;
+            if (auto value = slot->second.value.lock()) return keep(key, value, lock);
+            if (!slot->second.making) break;
             changed_.wait_for(lock, std::chrono::milliseconds(2));
             stop_if_cancelled();
         }
@@ -68,12 +68,12 @@ class SharedByKey {
     };
 
     Held keep(const Key& key, const Held& value, std::unique_lock<std::mutex>& lock) {
-        // What is let go ends after the lock does: a value may be large.
+        // Destroyed after the lock is released, since a value may be large.
         std::deque<std::pair<Key, Held>> gone;
-        if (most_ > 0) {
+        if (kept_ > 0) {
             std::erase_if(recent_, [&](const auto& entry) { return entry.first == key; });
             recent_.emplace_back(key, value);
-            while (recent_.size() > most_) {
+            while (recent_.size() > kept_) {
                 gone.push_back(std::move(recent_.front()));
                 recent_.pop_front();
             }
@@ -82,7 +82,7 @@ class SharedByKey {
         return value;
     }
 
-    std::size_t most_;
+    std::size_t kept_;
     std::mutex mutex_;
     std::condition_variable changed_;
     std::map<Key, Slot> slots_;

@@ -7,20 +7,21 @@
 
 namespace lancret::abi {
 
-/// Above any struct of this interface: a size beyond it was never set.
+/// Larger than any struct of the interface: a larger size is uninitialised memory.
 inline constexpr std::size_t kLargestStruct = 4096;
 
-/// A call that breaks the interface's rules.
+/// The caller broke a rule of the interface.
 struct BadCall {
     const char* what;
 };
 
+/// Throws BadCall if `kept` is false.
 inline void require(bool kept, const char* rule) {
     if (!kept) throw BadCall{rule};
 }
 
-/// What the caller gave, with zeros for what it does not know. What this library does not
-/// know must be zeros.
+/// A copy of the caller's struct; fields that the caller lacks are zero. Throws BadCall
+/// if fields that this library lacks are not zero.
 template <class T>
 T read_sized(const T* in, const char* name) {
     require(in, name);
@@ -34,7 +35,8 @@ T read_sized(const T* in, const char* name) {
     return out;
 }
 
-/// Hands out as much of `value` as the caller knows, and zeros for what it knows besides.
+/// Writes the fields of `value` that the caller has, and zeros to those that this library
+/// lacks. Throws BadCall.
 template <class T>
 void write_sized(T* out, T value, const char* name) {
     require(out, name);

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <limits>
 #include <system_error>
 
 #include "guides/base/cancel.h"
+#include "guides/base/coordinates.h"
+#include "guides/base/errors.h"
 #include "procedural/abi/file_stamp.h"
 #include "procedural/chunk/chunks.h"
 
@@ -15,16 +18,86 @@ namespace {
 
 constexpr std::size_t kMaxParameters = 1 << 16;
 constexpr std::uint32_t kMaxChunkStrands = 1'000'000;
-constexpr int kMaxFramesLookedAt = 1000;
+constexpr int kMaxStampedFrames = 1000;
 
-/// Length first, so that two texts side by side are not taken for two others.
+std::vector<Vec3f> positions_of(const float* from, std::size_t count, const char* what) {
+    std::vector<Vec3f> out(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = Vec3f(from[3 * i], from[3 * i + 1], from[3 * i + 2]);
+        if (is_place(out[i])) continue;
+        throw InputError(fmt::format(
+            "{}: point {} is at ({}, {}, {}), expected finite coordinates up to {:g}",
+            what, i, out[i].x(), out[i].y(), out[i].z(), kLargestCoordinate));
+    }
+    return out;
+}
+
+std::shared_ptr<const Strands> copied(const lancret_strands* given) {
+    const auto in = read_sized(given, "lancret_strands and its size");
+    require(in.strands > 0 && in.counts && in.points, "lancret_strands: arrays");
+    require(in.basis >= LANCRET_LINEAR && in.basis <= LANCRET_CATMULL_ROM,
+            "lancret_strands: basis");
+    auto out = std::make_shared<Strands>();
+    out->basis = in.basis == LANCRET_BSPLINE ? Basis::bspline : Basis::catmull_rom;
+    out->first.reserve(std::size_t(in.strands) + 1);
+    std::uint64_t points = 0;
+    const lancret_u32 fewest = in.basis == LANCRET_BSPLINE ? 4 : 2;
+    for (std::size_t i = 0; i < in.strands; ++i) {
+        if (in.counts[i] < fewest) {
+            throw InputError(
+                fmt::format("strands: strand {} has {} points, expected {} or more", i,
+                            in.counts[i], fewest));
+        }
+        points += in.counts[i];
+        require(points <= std::numeric_limits<std::int32_t>::max(),
+                "lancret_strands: more than 2^31 points");
+        out->first.push_back(std::uint32_t(points));
+    }
+    out->points = positions_of(in.points, points, "strands");
+    return out;
+}
+
+std::shared_ptr<const TriangleMesh> copied(const lancret_mesh* given) {
+    const auto in = read_sized(given, "lancret_mesh and its size");
+    require(in.vertices > 0 && in.triangles > 0 && in.positions && in.corners,
+            "lancret_mesh: arrays");
+    auto out = std::make_shared<TriangleMesh>();
+    out->positions = positions_of(in.positions, in.vertices, "scalp");
+    out->triangles.resize(in.triangles);
+    for (std::size_t t = 0; t < in.triangles; ++t) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t vertex = in.corners[3 * t + c];
+            if (vertex >= in.vertices) {
+                throw InputError(fmt::format(
+                    "scalp: triangle {} has a corner at vertex {}, expected below {}", t,
+                    vertex, in.vertices));
+            }
+            out->triangles[t][c] = vertex;
+        }
+    }
+    if (!in.uvs) return out;
+    out->uvs.resize(in.triangles);
+    for (std::size_t t = 0; t < in.triangles; ++t) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Vec2f uv(in.uvs[6 * t + 2 * c], in.uvs[6 * t + 2 * c + 1]);
+            if (!uv.allFinite()) {
+                throw InputError(
+                    fmt::format("scalp: triangle {} has a UV that is not finite", t));
+            }
+            out->uvs[t][c] = uv;
+        }
+    }
+    return out;
+}
+
+/// Prefixed with its length, so that two adjacent texts cannot be read as two others.
 void add(std::string& key, std::string_view text) {
     fmt::format_to(std::back_inserter(key), "{}:{};", text.size(), text);
 }
 
 void add_file(std::string& key, const std::filesystem::path& file) {
-    std::error_code unknown;  // a file that is not there has no size
-    add(key, file.empty() ? "" : std::filesystem::absolute(file, unknown).string());
+    std::error_code ignored;
+    add(key, file.empty() ? "" : std::filesystem::absolute(file, ignored).string());
     if (file.empty()) return;
     const FileStamp stamp = stamp_of(file);
     add(key, fmt::format("{} {}", stamp.size, stamp.time.time_since_epoch().count()));
@@ -63,11 +136,11 @@ std::optional<std::string> key_of(const Source& source, const SourcedGroom& sour
     if (s.strands || s.scalp) return std::nullopt;
     std::string key;
     add_file(key, s.path);
-    // Not the file's size and time: it may have changed and kept them.
+    // Its text as well, which may have changed without its size and time.
     add(key, sourced.text);
-    std::error_code unknown;
+    std::error_code ignored;
     const std::filesystem::path folder = s.folder.empty() ? "." : s.folder;
-    add(key, std::filesystem::absolute(folder, unknown).string());
+    add(key, std::filesystem::absolute(folder, ignored).string());
     for (const GroomParameter& p : s.parameters) {
         add(key, p.name);
         add(key, p.text ? *p.text : "");
@@ -85,7 +158,7 @@ std::optional<std::string> key_of(const Source& source, const SourcedGroom& sour
     if (files.pattern.empty()) return key;
     add(key, files.pattern);
     const std::int64_t step =
-        1 + (std::int64_t(files.last) - files.first) / kMaxFramesLookedAt;
+        1 + (std::int64_t(files.last) - files.first) / kMaxStampedFrames;
     for (std::int64_t f = files.first; f <= files.last; f += step) {
         add_file(key, frame_path(files.pattern, int(f)));
         stop_if_cancelled();

@@ -1,5 +1,5 @@
 #pragma once
-// lancret_source as Lancret reads it.
+// lancret_source, validated and copied.
 
 #include <optional>
 #include <string>
@@ -10,24 +10,20 @@
 
 namespace lancret::abi {
 
-/// A source that was looked at: its counts and pointers are sound.
+/// A copy of a lancret_source.
 struct Source {
     GroomSource settings;
     std::uint32_t chunk_strands = 0;
 };
 
-/// Throws BadCall.
+/// Validates and copies. Throws BadCall, and InputError if a position or UV is not
+/// finite, an index is out of range or a strand has too few points.
 Source read_source(const lancret_source* given);
 
-/// What tells one groom from another: everything that the source and its TOML say, and
-/// the size and time of each file that the groom names, of a long mesh sequence of a
-/// thousand of its frames; nothing where it holds a host's own arrays, whose contents no
-/// two share. Throws Cancelled.
+/// A key that differs between grooms with different strands: the contents of the source
+/// and its TOML, and path, size and time of each file that the groom names (of at most
+/// about 1000 files of a mesh sequence). nullopt if the source has arrays of the host,
+/// which are never shared. Throws Cancelled.
 std::optional<std::string> key_of(const Source& source, const SourcedGroom& sourced);
-
-/// Copies of a host's arrays, every count and number looked at. Throws BadCall, and
-/// InputError where a number is no place or an index points nowhere.
-std::shared_ptr<const Strands> copied(const lancret_strands* given);
-std::shared_ptr<const TriangleMesh> copied(const lancret_mesh* given);
 
 }  // namespace lancret::abi

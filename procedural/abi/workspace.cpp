@@ -10,8 +10,8 @@ namespace lancret::abi {
 
 namespace {
 
-constexpr std::size_t kLine = 64;
-/// Workspaces beyond these are given back: more calls at once than that are rare.
+constexpr std::size_t kCacheLine = 64;
+/// Idle workspaces beyond these are freed.
 constexpr std::size_t kMaxIdle = 64;
 
 }  // namespace
@@ -19,13 +19,13 @@ constexpr std::size_t kMaxIdle = 64;
 void* Workspace::take(std::size_t bytes) {
     if (next_ == blocks_.size()) blocks_.emplace_back();
     Block& block = blocks_[next_++];
-    // A block far too large is not held on to either.
+    // Replaced if it is too small, or larger than 8 times the request.
     if (block.data && block.bytes >= bytes && block.bytes / 8 <= bytes) return block.data;
     release(block);
-    // Some room, so that chunks of nearly one size share it.
+    // An eighth more, so that chunks of similar size can reuse it.
     const std::size_t wanted =
-        host_.allocate ? std::max(bytes, kLine) : bytes + bytes / 8 + kLine;
-    block.data = host_.allocate ? host_.allocate(host_.user, wanted, kLine)
+        host_.allocate ? std::max(bytes, kCacheLine) : bytes + bytes / 8 + kCacheLine;
+    block.data = host_.allocate ? host_.allocate(host_.user, wanted, kCacheLine)
                                 : untouched_memory(wanted);
     if (!block.data) throw std::bad_alloc();
     block.bytes = wanted;
@@ -55,7 +55,7 @@ void Workspace::clear() {
 std::unique_ptr<Workspace> Workspaces::take() {
     {
         const std::lock_guard lock(mutex_);
-        idle_.reserve(kMaxIdle);  // where it may fail: giving back must not
+        idle_.reserve(kMaxIdle);  // here, since `give` must not throw
         if (!idle_.empty()) {
             auto out = std::move(idle_.back());
             idle_.pop_back();

@@ -9,8 +9,9 @@
 
 namespace lancret::abi {
 
-/// Blocks for one call, asked for in the same order by each: the host's, given back when
-/// the call ends; without its allocator our own, which wait for the next call.
+/// Memory blocks for one call. Blocks of the host's allocator are released when the call
+/// ends. Without an allocator they are reused by the next call, which takes blocks of
+/// similar sizes in the same order.
 class Workspace {
   public:
     explicit Workspace(const lancret_host& host) : host_(host) {}
@@ -18,14 +19,13 @@ class Workspace {
     Workspace(const Workspace&) = delete;
     Workspace& operator=(const Workspace&) = delete;
 
-    /// The next block, aligned to 64 bytes; what is in it is undefined. Throws
-    /// std::bad_alloc.
+    /// The next block, uninitialised, aligned to 64 bytes. Throws std::bad_alloc.
     void* take(std::size_t bytes);
     template <class T>
     T* take_array(std::size_t size) {
         return static_cast<T*>(take(size * sizeof(T)));
     }
-    /// Takes all blocks back.
+    /// Ends the use of all blocks.
     void rewind();
 
   private:
@@ -41,12 +41,12 @@ class Workspace {
     std::size_t next_ = 0;
 };
 
-/// Workspaces that wait for a call: as many as there were calls at once.
+/// A pool of idle workspaces, as many as there were calls at once.
 class Workspaces {
   public:
     explicit Workspaces(const lancret_host& host) : host_(host) {}
 
-    /// Throws std::bad_alloc; giving back throws nothing.
+    /// Throws std::bad_alloc.
     std::unique_ptr<Workspace> take();
     void give(std::unique_ptr<Workspace> workspace) noexcept;
 
@@ -56,18 +56,18 @@ class Workspaces {
     std::vector<std::unique_ptr<Workspace>> idle_;
 };
 
-/// One of them for as long as this lives.
+/// A workspace of the pool for the lifetime of this object.
 class WorkspaceLoan {
   public:
-    explicit WorkspaceLoan(Workspaces& from) : from_(from), own_(from.take()) {}
-    ~WorkspaceLoan() { from_.give(std::move(own_)); }
+    explicit WorkspaceLoan(Workspaces& pool) : pool_(pool), workspace_(pool.take()) {}
+    ~WorkspaceLoan() { pool_.give(std::move(workspace_)); }
     WorkspaceLoan(const WorkspaceLoan&) = delete;
     WorkspaceLoan& operator=(const WorkspaceLoan&) = delete;
-    Workspace& operator*() const { return *own_; }
+    Workspace& operator*() const { return *workspace_; }
 
   private:
-    Workspaces& from_;
-    std::unique_ptr<Workspace> own_;
+    Workspaces& pool_;
+    std::unique_ptr<Workspace> workspace_;
 };
 
 }  // namespace lancret::abi

@@ -126,7 +126,7 @@ lancret_options chunk_options(const RendermanParameters& parameters, RtFloat det
         // A chunk has at most chunk_strands, so that the share stays above the least.
         out.strands_per_pixel = parameters.strands_per_pixel;
         out.pixels =
-            std::max(double(detail), parameters.least_density * parameters.chunk_strands /
+            std::max(double(detail), parameters.min_density * parameters.chunk_strands /
                                          parameters.strands_per_pixel);
     }
     return out;

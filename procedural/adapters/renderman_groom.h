@@ -47,7 +47,7 @@ struct SharedGroom {
     RendermanParameters parameters;
     std::shared_ptr<Context> context;
     std::unique_ptr<lancret_groom, decltype(&lancret_groom_close)> handle;
-    lancret_info info{};
+    lancret_groom_info info{};
 
     /// Throws std::runtime_error with the file and line at fault.
     explicit SharedGroom(RendermanParameters parameters);

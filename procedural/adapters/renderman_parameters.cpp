@@ -189,8 +189,8 @@ void take(const Word& word, RendermanParameters& out, Times& times) {
         out.density = number_of(word, 1e-6, 1);
     } else if (name == "strands_per_pixel") {
         out.strands_per_pixel = number_of(word, 0, 1e6);
-    } else if (name == "least_density") {
-        out.least_density = number_of(word, 1e-6, 1);
+    } else if (name == "min_density") {
+        out.min_density = number_of(word, 1e-6, 1);
     } else if (name == "primvars") {
         for (const std::string& part : parts_of(word)) {
             out.attributes |= lancret_u32(choice_of(word, part, kPrimvars));

@@ -33,7 +33,7 @@ struct RendermanParameters {
     float max_error = 0;           ///< units; 0: the groom's own
     double density = 0;            ///< 0: the groom's own
     double strands_per_pixel = 0;  ///< 0: no level of detail
-    double least_density = 0.01;   ///< that level of detail may come to
+    double min_density = 0.01;   ///< that level of detail may come to
     lancret_u32 attributes = 0;
     lancret_u32 chunk_strands = 4096;
     float unit = 1;   ///< cm of a unit of the scene

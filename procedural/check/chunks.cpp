@@ -1,9 +1,11 @@
 #include "procedural/check/chunks.h"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "guides/base/cancel.h"
@@ -95,6 +97,19 @@ ChunkCheck check_chunks(const Binding& binding, const ClassedGuides& guides,
     }
     out.mean_ratio = chunks.size() > 0 ? volume / seen : 1;
     return out;
+}
+
+std::size_t strands_outside(const Curves& curves, const Eigen::AlignedBox3f& box) {
+    const Eigen::AlignedBox3d bounds = box.cast<double>();
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, curves.strands), std::size_t(0),
+        [&](const tbb::blocked_range<std::size_t>& range, std::size_t outside) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                outside += !bounds.contains(seen_box(emitted_strand(curves, i)));
+            }
+            return outside;
+        },
+        std::plus<>());
 }
 
 ChunkCheck worst_of(const ChunkCheck& a, const ChunkCheck& b) {

@@ -28,6 +28,10 @@ ChunkCheck check_chunks(const Binding& binding, const ClassedGuides& guides,
                         const Curves& curves, const ExpandSettings& settings,
                         const Chunks& chunks);
 
+/// Number of strands that leave `box`, cm, with their widths where t is 0, 1/4, ... on
+/// each segment.
+std::size_t strands_outside(const Curves& curves, const Eigen::AlignedBox3f& box);
+
 /// The worst of two, as of two frames.
 ChunkCheck worst_of(const ChunkCheck& a, const ChunkCheck& b);
 

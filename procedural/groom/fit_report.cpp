@@ -32,4 +32,11 @@ std::string roots_line(const PlacedGuides& source) {
         source.snapped_roots, source.guides.size(), source.largest_snap);
 }
 
+std::vector<std::string> warning_lines(const PlacedGuides& source) {
+    std::vector<std::string> out = source.warnings;
+    std::string roots = roots_line(source);
+    if (!roots.empty()) out.push_back(std::move(roots));
+    return out;
+}
+
 }  // namespace lancret

@@ -14,4 +14,7 @@ nlohmann::json fit_json(const PlacedGuides& source);
 /// What is worth telling of the guides' roots; empty where there is nothing.
 std::string roots_line(const PlacedGuides& source);
 
+/// All warnings of a groom, one line each: those of its guides, and `roots_line`.
+std::vector<std::string> warning_lines(const PlacedGuides& source);
+
 }  // namespace lancret

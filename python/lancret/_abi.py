@@ -43,7 +43,7 @@ FIGURES = {
     "torsion": 3,
     "region": 4,
 }
-#: lancret_info.shape.
+#: lancret_groom_info.shape.
 SHAPES = {0: "any", 1: "flat", 2: "round", 3: "ribbon"}
 LOG_LEVELS = {0: "info", 1: "warning", 2: "error"}
 
@@ -224,7 +224,7 @@ STRUCTS: dict[str, type[ctypes.Structure]] = {
     "lancret_strands": Strands,
     "lancret_mesh": Mesh,
     "lancret_source": Source,
-    "lancret_info": Info,
+    "lancret_groom_info": Info,
     "lancret_options": Options,
     "lancret_curves": Curves,
     "lancret_chunk_info": ChunkInfo,

@@ -38,7 +38,7 @@ class PluginGroom {
 
     const Plugin& plugin() const { return plugin_; }
     const lancret_groom* handle() const { return groom_; }
-    const lancret_info& info() const { return info_; }
+    const lancret_groom_info& info() const { return info_; }
     CurveBasis basis() const;
     std::optional<CurveShape> shape() const;  ///< none: as is best for a picture
     /// Of the guides at rest, cm.
@@ -65,7 +65,7 @@ class PluginGroom {
     PluginLog log_;
     lancret_context* context_ = nullptr;
     lancret_groom* groom_ = nullptr;
-    lancret_info info_{};
+    lancret_groom_info info_{};
     std::mutex mutex_;  ///< of the log
 };
 

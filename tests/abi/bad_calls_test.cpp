@@ -111,13 +111,13 @@ TEST(PluginCalls, SizesTellOldCallersFromNew) {
     EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, &later.known, ignore, nullptr),
               LANCRET_BAD_CALL);
     // Nothing is written past what the caller knows.
-    lancret_info info{};
-    info.size = offsetof(lancret_info, guides);
+    lancret_groom_info info{};
+    info.size = offsetof(lancret_groom_info, guides);
     info.guides = 12345;
     EXPECT_EQ(lancret_groom_get_info(groom.get(), &info), LANCRET_OK);
     EXPECT_EQ(info.strands, 3000u);
     EXPECT_EQ(info.guides, 12345u);
-    EXPECT_EQ(info.size, offsetof(lancret_info, guides));
+    EXPECT_EQ(info.size, offsetof(lancret_groom_info, guides));
 }
 
 TEST(PluginCalls, ErrorsNameFileAndLine) {

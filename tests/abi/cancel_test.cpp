@@ -46,7 +46,7 @@ TEST(PluginCancel, OkMeansThatItWasDone) {
         ASSERT_TRUE(status == LANCRET_CANCELLED || status == LANCRET_OK);
         ASSERT_EQ(called, status == LANCRET_OK);
         cancelled += status == LANCRET_CANCELLED;
-        lancret_info info{};
+        lancret_groom_info info{};
         info.size = sizeof info;
         const lancret_status informed = lancret_groom_get_info(groom.get(), &info);
         ASSERT_TRUE(informed == LANCRET_CANCELLED || informed == LANCRET_OK);

@@ -86,7 +86,7 @@ void fuzz(std::uint64_t first, int texts) {
         const Opened out = open(context.get(), text_source(text));
         if (out.status == LANCRET_OK) {
             ++good;
-            const lancret_info info = info_of(out.groom.get());
+            const lancret_groom_info info = info_of(out.groom.get());
             if (info.strands > 1000) continue;
             const auto options = some_options(int(i % 5));
             const lancret_status status =

@@ -38,12 +38,12 @@ static struct {
     lancret_status (*open)(lancret_context *, const lancret_source *, lancret_groom **, char *,
                            size_t);
     void (*close)(lancret_groom *);
-    lancret_status (*get_info)(const lancret_groom *, lancret_info *);
+    lancret_status (*get_info)(const lancret_groom *, lancret_groom_info *);
     lancret_status (*get_guides)(const lancret_groom *, lancret_guides *);
     lancret_status (*bound)(const lancret_groom *, lancret_u32, const lancret_options *, int,
                             float[6]);
     lancret_status (*expand)(const lancret_groom *, lancret_u32, const lancret_options *,
-                             lancret_sink, void *);
+                             lancret_curves_sink, void *);
     lancret_status (*chunk_open)(const lancret_groom *, lancret_u32, const lancret_options *,
                                  lancret_chunk **);
     lancret_status (*chunk_sizes)(const lancret_chunk *, lancret_curves *);
@@ -175,7 +175,7 @@ int main(int argc, char **argv) {
     lancret_context *context = NULL;
     lancret_groom *groom = NULL;
     lancret_source source;
-    lancret_info info;
+    lancret_groom_info info;
     lancret_guides guides;
     const double some_time = 0;
     int still = 0;

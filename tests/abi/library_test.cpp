@@ -85,9 +85,9 @@ void use_once(const std::string& path) {
     lancret_context* context = nullptr;
     lancret_groom* groom = nullptr;
     const auto source = text_source(kSmallGroom);
-    ASSERT_EQ(
-        get(&lancret_context_create, "lancret_context_create")(1, nullptr, &context),
-        LANCRET_OK);
+    ASSERT_EQ(get(&lancret_context_create, "lancret_context_create")(LANCRET_ABI_VERSION,
+                                                                     nullptr, &context),
+              LANCRET_OK);
     ASSERT_EQ(get(&lancret_groom_open, "lancret_groom_open")(context, &source, &groom,
                                                              nullptr, 0),
               LANCRET_OK);

@@ -71,8 +71,8 @@ inline GroomHandle opened(lancret_context* context, const std::string& text,
     return std::move(out.groom);
 }
 
-inline lancret_info info_of(const lancret_groom* groom) {
-    lancret_info out{};
+inline lancret_groom_info info_of(const lancret_groom* groom) {
+    lancret_groom_info out{};
     out.size = sizeof out;
     EXPECT_EQ(lancret_groom_get_info(groom, &out), LANCRET_OK);
     return out;

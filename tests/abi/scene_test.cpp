@@ -54,7 +54,7 @@ TEST(PluginScene, InfoSaysWhatToFrameAndHowToDraw) {
     const ReadyGroom ready = direct(kSmallGroom);
     const Eigen::AlignedBox3f box = guide_box(ready);
     const auto groom = opened(context.get(), kSmallGroom);
-    const lancret_info info = info_of(groom.get());
+    const lancret_groom_info info = info_of(groom.get());
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(info.box[i], box.min()[i]);
         EXPECT_EQ(info.box[3 + i], box.max()[i]);

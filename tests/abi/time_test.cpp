@@ -14,7 +14,7 @@ using PluginTime = MovingPlugin;
 TEST_F(PluginTime, StrandsAreThoseOfTheLibraryAtAndBetweenFrames) {
     const auto context = a_context();
     const auto groom = open_cache(context.get(), 800);
-    const lancret_info info = info_of(groom.get());
+    const lancret_groom_info info = info_of(groom.get());
     EXPECT_EQ(info.first_frame, 3);
     EXPECT_EQ(info.last_frame, 6);
     GroomSource source;

@@ -61,7 +61,7 @@ inline lancret_status copy_curves(void* user, const lancret_curves* from) {
 struct AbiGroom {
     lancret_context* context = nullptr;
     lancret_groom* groom = nullptr;
-    lancret_info info{};
+    lancret_groom_info info{};
 
     explicit AbiGroom(const std::string& path, lancret_u32 chunk_strands = 0) {
         lancret_source source{};

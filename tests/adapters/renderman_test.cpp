@@ -237,7 +237,7 @@ Amount amount_of(const std::vector<RibChunk>& chunks) {
 
 TEST(Renderman, GrowsFewerAndWiderStrandsWhereTheDetailIsSmall) {
     const MadeGroom made;
-    const std::string level = "strands_per_pixel=0.5 least_density=0.05";
+    const std::string level = "strands_per_pixel=0.5 min_density=0.05";
     RibHost host(kDso);
     const auto all = read_rib(host.rib_of(parameters_of(made, "")));
     const auto unknown = read_rib(host.rib_of(parameters_of(made, level)));

@@ -62,7 +62,7 @@ static void put_box(lancret_u32 posts, float box[6]) {
     box[5] = 0.5f;
 }
 
-lancret_status lancret_groom_get_info(const lancret_groom *groom, lancret_info *info) {
+lancret_status lancret_groom_get_info(const lancret_groom *groom, lancret_groom_info *info) {
     size_t size = info->size;
     memset(info, 0, size);
     info->size = size;

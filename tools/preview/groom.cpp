@@ -46,7 +46,7 @@ void print_binding_report(const PluginStrands& strands) {
 }
 
 nlohmann::json groom_stats(const PluginGroom& groom, const PluginStrands& strands) {
-    const lancret_info& info = groom.info();
+    const lancret_groom_info& info = groom.info();
     nlohmann::json out = nlohmann::json::parse(groom.description());
     out["strands"] = strands.size();
     out["intervals"] = info.intervals;

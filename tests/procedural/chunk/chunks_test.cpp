@@ -195,6 +195,25 @@ TEST(ChunkBox, TheCheckSeesAStrandOutsideAndAnotherStrand) {
     EXPECT_FALSE(check.pass());
 }
 
+TEST(ChunkBox, StrandsThatLeaveTheBoxAreCounted) {
+    const MadeHair hair(200, 12, 8);
+    Curves curves = expand(hair.binding, hair.profiles, {});
+    const Eigen::AlignedBox3f box =
+        chunk_box(hair.binding, hair.classed(Blend::detail), {}).box();
+    EXPECT_EQ(strands_outside(curves, box), 0u);
+    const std::size_t each = curves.points_of(0);
+    curves.points[5 * each + 7].x += 40;
+    EXPECT_EQ(strands_outside(curves, box), 1u);
+    // Wider than the groom: on every side of the box at once.
+    curves.points[6 * each + 7].w = 40;
+    EXPECT_EQ(strands_outside(curves, box), 2u);
+    // Half the box: those that stand in the other half, or cross the middle.
+    Eigen::AlignedBox3f half = box;
+    half.max().x() = box.center().x();
+    EXPECT_GT(strands_outside(curves, half), 20u);
+    EXPECT_EQ(strands_outside(curves, Eigen::AlignedBox3f()), 200u);
+}
+
 TEST(ChunkBox, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
     const MadeHair hair(300, 12, 9, 4, 4, 0.5);
     // The same guides, turned by half a radian about Y.
