@@ -1,21 +1,23 @@
 // lancret check: the proof that the children of a groom are what they should be.
 
-#include "procedural/check/check.h"
+#include "tools/subcommands.h"
 
 #include <fmt/format.h>
 
 #include <memory>
 
 #include "procedural/bind/report.h"
+#include "procedural/check/check.h"
 #include "procedural/check/chunks.h"
 #include "procedural/check/figures.h"
 #include "procedural/check/frames.h"
 #include "procedural/check/report.h"
 #include "procedural/expand/class_choice.h"
 #include "procedural/motion/moving_groom.h"
-#include "tools/command.h"
 #include "tools/frames.h"
 #include "tools/generate.h"
+#include "tools/job.h"
+#include "tools/options.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
 
@@ -30,13 +32,6 @@ struct CheckOptions {
     CheckTolerances tolerances;
     std::optional<double> distance;  ///< none: the groom's own tolerance
 };
-
-std::string not_negative(const std::string& text) {
-    double value = 0;
-    // A NaN is no tolerance either.
-    if (CLI::detail::lexical_cast(text, value) && value >= 0) return {};
-    return fmt::format("'{}' is no tolerance; give a number from 0 on", text);
-}
 
 /// Wall time of all frames, s, and the curves of the last.
 struct FramesCost {
@@ -117,8 +112,8 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
 
 int check_groom(const CheckOptions& options) {
     const Job job = read_job(options.groom);
-    check_output(options.json, {}, options.groom, job.groom);
-    check_output(options.groom.stats, {}, options.groom, job.groom, options.json);
+    check_output(options.json, {}, job.inputs);
+    check_output(options.groom.stats, {}, job.inputs, options.json);
     const ChosenFrames chosen = chosen_frames(options.frames, job, true);
     ReadyGroom ready = make_ready_groom_with_progress(job.groom);
     FramesCost cost;
@@ -178,7 +173,7 @@ void add_check(CLI::App& app, int& exit_code) {
         command->add_option(name, value, what)
             ->type_name("X")
             ->capture_default_str()
-            ->check(not_negative);
+            ->check(not_negative());
     };
     tolerance("--orthogonality", t.orthogonality, "of |R^T R - I|");
     tolerance("--length", t.length, "relative, of the strand");
@@ -188,7 +183,7 @@ void add_check(CLI::App& app, int& exit_code) {
             "--distance", options->distance,
             "cm, of the emitted curve from the strand; the groom's own by default")
         ->type_name("X")
-        ->check(CLI::NonNegativeNumber);
+        ->check(not_negative());
     command->footer(
         "Of a cache all frames are checked, its guides too, and how far children move "
         "from frame to frame beside their guides.\n"

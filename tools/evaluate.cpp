@@ -1,5 +1,6 @@
-// lancret evaluate: how near each blend comes to strands of a real groom that it has not
-// seen.
+// lancret evaluate: measures how well each blend predicts held-out strands of a groom.
+
+#include "tools/subcommands.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,8 +11,9 @@
 
 #include "guides/base/errors.h"
 #include "procedural/evaluate/report.h"
-#include "tools/command.h"
 #include "tools/evaluate_picture.h"
+#include "tools/job.h"
+#include "tools/options.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
 
@@ -107,8 +109,8 @@ int evaluate_groom(const EvaluateOptions& options) {
                                      1 + blends.size(), width, kWidest));
     }
     Job job = read_job(options.groom);
-    check_output(options.json, {}, options.groom, job.groom);
-    check_output(options.image, {".png"}, options.groom, job.groom, options.json);
+    check_output(options.json, {}, job.inputs);
+    check_output(options.image, {".png"}, job.inputs, options.json);
     Stopwatch watch;
     StageLine line;
     line.show("load");
@@ -171,7 +173,7 @@ void add_evaluate(CLI::App& app, int& exit_code) {
         ->check(not_empty());
     command->add_option("--seed", groom.seed, "of the first guide and of the curls")
         ->type_name("N")
-        ->check(is_seed);
+        ->check(seed_number());
     command->add_option("--scalp", groom.scalp, "mesh that the hair grows on")
         ->type_name("OBJ")
         ->check(not_empty());

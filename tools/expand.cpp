@@ -1,6 +1,6 @@
-// lancret expand: a groom in, its children out as a file; or only the time that it takes.
+// lancret expand: grows the children of a groom and writes or only times them.
 
-#include "procedural/expand/expand.h"
+#include "tools/subcommands.h"
 
 #include <fmt/format.h>
 
@@ -11,11 +11,13 @@
 #include "guides/files/mitsuba_file.h"
 #include "procedural/chunk/chunks.h"
 #include "procedural/expand/child_strands.h"
+#include "procedural/expand/expand.h"
 #include "procedural/motion/moving_groom.h"
-#include "tools/command.h"
 #include "tools/expand_chunks.h"
 #include "tools/frames.h"
 #include "tools/generate.h"
+#include "tools/job.h"
+#include "tools/options.h"
 #include "tools/stats.h"
 
 namespace lancret {
@@ -34,8 +36,8 @@ int expand_groom(const ExpandOptions& options) {
     const std::filesystem::path output = options.output;
     const std::string extension = output.extension().string();
     Job job = read_job(options.groom);
-    check_output(output, {".hair", ".txt"}, options.groom, job.groom);
-    check_output(options.groom.stats, {}, options.groom, job.groom, output);
+    check_output(output, {".hair", ".txt"}, job.inputs);
+    check_output(options.groom.stats, {}, job.inputs, output);
     if (options.chunks || options.chunk_strands) {
         if (!output.empty()) {
             throw InputError("--chunks: keeps no strands to write; leave out -o");

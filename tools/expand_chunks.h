@@ -1,7 +1,11 @@
 #pragma once
+// Growing a groom chunk by chunk.
 
-#include "tools/command.h"
+#include <cstdint>
+#include <string>
+
 #include "tools/frames.h"
+#include "tools/job.h"
 
 namespace lancret {
 

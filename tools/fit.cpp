@@ -1,4 +1,6 @@
-// lancret fit: strands in, Super-Helix guides out.
+// lancret fit: fits Super-Helix guides to strands.
+
+#include "tools/subcommands.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +9,9 @@
 
 #include "guides/base/errors.h"
 #include "guides/files/guide_cache.h"
-#include "tools/command.h"
 #include "tools/generate.h"
+#include "tools/job.h"
+#include "tools/options.h"
 #include "tools/stats.h"
 
 namespace lancret {
@@ -22,8 +25,8 @@ struct FitOptions {
 
 int fit_groom(const FitOptions& options) {
     const Job job = read_job(options.groom);
-    check_output(options.output, {".h5"}, options.groom, job.groom);
-    check_output(options.groom.stats, {}, options.groom, job.groom, options.output);
+    check_output(options.output, {".h5"}, job.inputs);
+    check_output(options.groom.stats, {}, job.inputs, options.output);
     const PlacedGuides fitted = groom_guides(job.groom);
     if (fitted.fits.empty()) {
         throw InputError(fmt::format("{}: holds guides already, there is nothing to fit",

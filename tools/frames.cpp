@@ -8,6 +8,8 @@
 #include <regex>
 
 #include "guides/base/errors.h"
+#include "tools/job.h"
+#include "tools/options.h"
 
 namespace lancret {
 

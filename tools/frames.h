@@ -2,14 +2,16 @@
 // What the subcommands share that look at a cache of several frames.
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "procedural/motion/groom_times.h"
-#include "tools/command.h"
 
 namespace lancret {
+
+struct Job;
 
 /// --frame N (12 or 12.25) and --frames A-B; at most one of them.
 struct FrameOptions {

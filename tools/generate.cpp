@@ -8,7 +8,7 @@
 
 #include "procedural/bind/report.h"
 #include "procedural/groom/fit_report.h"
-#include "tools/command.h"
+#include "tools/job.h"
 #include "tools/progress.h"
 
 namespace lancret {

@@ -1,4 +1,6 @@
-// lancret info: what is in a file.
+// lancret info: prints what a file contains.
+
+#include "tools/subcommands.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +13,8 @@
 #include "guides/files/obj_file.h"
 #include "guides/mesh/scalp.h"
 #include "guides/strand/curve.h"
-#include "tools/command.h"
+#include "tools/job.h"
+#include "tools/options.h"
 #include "tools/stats.h"
 
 namespace lancret {

@@ -11,7 +11,7 @@
 
 #include "guides/base/errors.h"
 #include "guides/toml/table.h"
-#include "tools/command.h"
+#include "tools/subcommands.h"
 
 using namespace lancret;
 

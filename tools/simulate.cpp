@@ -1,5 +1,7 @@
 // lancret simulate: guides in, guides in time out.
 
+#include "tools/subcommands.h"
+
 #include <fmt/format.h>
 
 #include <memory>
@@ -9,8 +11,9 @@
 #include "guides/files/frame_store.h"
 #include "guides/files/obj_file.h"
 #include "sim/equilibrium/sag_free.h"
-#include "tools/command.h"
 #include "tools/frames.h"
+#include "tools/job.h"
+#include "tools/options.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
 
@@ -94,8 +97,8 @@ std::string job_text(const SimulateOptions& options, const Job& job,
 int simulate_groom(const SimulateOptions& options) {
     if (!(options.fps >= 1)) throw InputError("--fps: is no number of frames");
     Job job = read_job(options.groom);
-    check_output(options.output, {".h5"}, options.groom, job.groom);
-    check_output(options.groom.stats, {}, options.groom, job.groom, options.output);
+    check_output(options.output, {".h5"}, job.inputs);
+    check_output(options.groom.stats, {}, job.inputs, options.output);
     const auto [first, last] = parse_frames(options.frames, "--frames");
     if (options.substeps) job.dynamics.simulation.substeps = *options.substeps;
 
@@ -208,7 +211,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
     command->add_option("--fps", options->fps, "frames a second")
         ->type_name("N")
         ->capture_default_str()
-        ->check(between(1, 10000));
+        ->check(number_between(1, 10000));
     command->add_option("--substeps", options->substeps, "of a frame")
         ->type_name("N")
         ->check(CLI::Range(1, 1000));

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "render_test/plugin/strands.h"
-#include "tools/command.h"
+#include "tools/job.h"
 
 namespace lancret {
 

@@ -89,12 +89,12 @@ std::vector<PictureFiles> outputs_of(const PreviewOptions& options, const Job& j
         throw InputError(
             "--contact-sheet: is of several pictures; give --frames or --turntable");
     }
-    check_output(sheet, {".png"}, options.groom, job.groom, options.groom.stats);
+    check_output(sheet, {".png"}, job.inputs, options.groom.stats);
     for (const auto& [picture, deep] : out) {
-        check_output(picture, {".exr", ".png"}, options.groom, job.groom, sheet);
-        check_output(deep, {".exr"}, options.groom, job.groom, picture);
-        check_output(options.groom.stats, {}, options.groom, job.groom, picture);
-        check_output(options.groom.stats, {}, options.groom, job.groom, deep);
+        check_output(picture, {".exr", ".png"}, job.inputs, sheet);
+        check_output(deep, {".exr"}, job.inputs, picture);
+        check_output(options.groom.stats, {}, job.inputs, picture);
+        check_output(options.groom.stats, {}, job.inputs, deep);
     }
     return out;
 }
@@ -168,13 +168,13 @@ void add_preview_options(CLI::App& command, PreviewOptions& options) {
                     "render until the picture has this relative noise, each pixel with "
                     "as many paths as it needs, at most --samples (1024 by default)")
         ->type_name("N")
-        ->check(between(0.001, 10.0));
+        ->check(number_between(0.001, 10.0));
     command
         .add_option("--lod", options.lod,
                     "level of detail: at most this many strands for each pixel that a "
                     "chunk of hair covers, wider as they are fewer")
         ->type_name("N")
-        ->check(between(1e-6, 1e6));
+        ->check(number_between(1e-6, 1e6));
     command.add_option("--size", options.size, "of the picture, pixels")
         ->type_name("WxH")
         ->check(not_empty());
@@ -193,7 +193,7 @@ void add_preview_options(CLI::App& command, PreviewOptions& options) {
                     "least roughness of hair after a path's first scattering: less "
                     "noise, a little brighter; 0.5 by default, 0 for a reference")
         ->type_name("R")
-        ->check(between(0, 1));
+        ->check(number_between(0, 1));
     command
         .add_option("--lobes", options.lobes,
                     "light across a strand: 'near' by where it is met, 'far' its mean, "

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/frames.h"
+#include "tools/options.h"
 #include "tools/preview/check_views.h"
 
 namespace lancret {

@@ -11,7 +11,7 @@
 
 #include "render_test/plugin/strands.h"
 #include "render_test/settings/preview.h"
-#include "tools/command.h"
+#include "tools/job.h"
 
 namespace lancret {
 

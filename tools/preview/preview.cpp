@@ -16,6 +16,7 @@
 #include "tools/preview/options.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
+#include "tools/subcommands.h"
 
 namespace lancret {
 

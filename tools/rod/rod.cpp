@@ -8,11 +8,12 @@
 
 #include "guides/base/errors.h"
 #include "sim/equilibrium/modes.h"
-#include "tools/command.h"
+#include "tools/options.h"
 #include "tools/progress.h"
 #include "tools/rod/rod_plot.h"
 #include "tools/rod/rod_report.h"
 #include "tools/stats.h"
+#include "tools/subcommands.h"
 
 namespace lancret {
 
@@ -30,8 +31,8 @@ struct RodOptions {
 
 /// In its own folder and of its own extension, or nothing is computed.
 void check_rod_outputs(const RodOptions& options) {
-    check_output(options.json, {}, {}, {}, options.picture);
-    check_output(options.picture, {".png", ".exr"}, {}, {}, options.json);
+    check_output(options.json, {}, {}, options.picture);
+    check_output(options.picture, {".png", ".exr"}, {}, options.json);
 }
 
 RodRelease release_of(const RodOptions& options, const HangingRod& rod) {
@@ -97,19 +98,6 @@ int run_rod(RodOptions options) {
     return kFine;
 }
 
-/// A number within [low, high]; NaN is not.
-CLI::Validator within(double low, double high) {
-    return {
-        [=](std::string& text) -> std::string {
-            double value = 0;
-            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) {
-                return {};
-            }
-            return fmt::format("{} is not a number from {:g} to {:g}", text, low, high);
-        },
-        ""};
-}
-
 }  // namespace
 
 void add_rod(CLI::App& app, int& exit_code) {
@@ -118,14 +106,14 @@ void add_rod(CLI::App& app, int& exit_code) {
     CLI::App* rod =
         app.add_subcommand("rod", "Hang one rod: shape, frequencies, buckling");
     rod->add_option("--gamma", setup.gamma, "weight: rho S g L^3 / EI_1, along -z")
-        ->check(within(0, kMaxGamma));
+        ->check(number_between(0, kMaxGamma));
     const auto triple = [&](const char* name, std::vector<double>& value,
                             const char* what, const char* type) {
         rod->add_option(name, value, what)
             ->delimiter(',')
             ->expected(3)
             ->type_name(type)
-            ->check(within(-1e300, 1e300));
+            ->check(number_between(-1e300, 1e300).description(""));
     };
     triple("--natural", options->natural, "natural twist and curvatures, times L",
            "K0,K1,K2");
@@ -133,9 +121,9 @@ void add_rod(CLI::App& app, int& exit_code) {
     triple("--root-normal", options->normal,
            "n1, made perpendicular to the tangent; n2 = n0 x n1", "X,Y,Z");
     rod->add_option("--torsion-ratio", setup.torsion_ratio, "GJ / EI_1")
-        ->check(within(1e-6, 1e9));
+        ->check(number_between(1e-6, 1e9));
     rod->add_option("--bending-ratio", setup.bending_ratio, "EI_2 / EI_1")
-        ->check(within(1e-6, 1e9));
+        ->check(number_between(1e-6, 1e9));
     rod->add_option("--segments", setup.segments, "helices of equal length")
         ->type_name("N")
         ->check(CLI::Range(1, 200));
@@ -149,10 +137,10 @@ void add_rod(CLI::App& app, int& exit_code) {
         rod->add_option("--release", options->release,
                         "let go of it in its natural shape, and follow it for so long")
             ->type_name("TIME")
-            ->check(within(1e-12, 1e6));
+            ->check(number_between(1e-12, 1e6));
     CLI::Option* step = rod->add_option("--dt", options->step, "time step of --release")
                             ->type_name("TIME")
-                            ->check(within(1e-12, 1e6));
+                            ->check(number_between(1e-12, 1e6));
     release->needs(step);
     step->needs(release);
     rod->add_option("--integrator", options->integrator,
@@ -167,7 +155,7 @@ void add_rod(CLI::App& app, int& exit_code) {
                     "mu, a time: K mu q' resists --release; 0 unless said")
         ->needs(release)
         ->type_name("TIME")
-        ->check(within(0, 1e6));
+        ->check(number_between(0, 1e6));
     rod->add_option("--json", options->json, "write all of it")
         ->type_name("FILE")
         ->check(not_empty());
