@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "guides/base/errors.h"
 #include "guides/files/obj_file.h"
@@ -113,7 +114,8 @@ TriangleMesh read_body(const std::filesystem::path& file, double scale) {
 
 }  // namespace
 
-DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene) {
+DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene,
+                               MotionSettings motion) {
     DynamicsSettings out;
     const TomlTable dynamics = toml.table("dynamics");
     out.simulation.gravity = scene.gravity;
@@ -122,7 +124,7 @@ DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene) {
     read_contact(dynamics.table("contact"), out);
     read_strands(dynamics.table("strands"), out.simulation.strand_contact);
     read_wind(dynamics.table("wind"), out.simulation.wind);
-    out.motion = read_motion(toml.table("motion"), scene.centimetres_per_unit());
+    out.motion = std::move(motion);
     for (const TomlTable& table : toml.tables("colliders")) {
         out.colliders.push_back(read_collider(table));
         if (out.colliders.back().with_head && !out.motion.files.pattern.empty()) {

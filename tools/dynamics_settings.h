@@ -1,6 +1,6 @@
 #pragma once
-// What a groom's TOML says of its dynamics: the tables [dynamics], [motion] and
-// [[colliders]]. docs/formats.md lists their keys.
+// The dynamics of a groom: the tables [dynamics] and [[colliders]] of its TOML.
+// docs/formats.md lists their keys.
 
 #include <optional>
 #include <string>
@@ -28,8 +28,9 @@ struct DynamicsSettings {
     std::vector<ColliderSettings> colliders;
 };
 
-/// Reads the three tables. `gravity` is the scene's.
-DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene);
+/// Reads [dynamics] and [[colliders]]. `motion` is the head's, from [motion].
+DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene,
+                               MotionSettings motion);
 
 /// What the guides of a groom move with. Throws InputError.
 SimulationScene simulation_scene(const DynamicsSettings& settings,

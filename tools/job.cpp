@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "guides/base/errors.h"
 #include "procedural/curves/control_points.h"
@@ -67,19 +66,17 @@ Job read_job(const GroomOptions& options) {
     Job job;
     job.source.path = options.input;
     job.source.parameters = parameters_of(options);
-    job.groom = read_groom_source(job.source).groom;
-    const std::filesystem::path toml_file = job.groom.name;
-    if (toml_file.extension() == ".toml") {
-        // Once more, for the tables that are not the groom's.
-        const TomlTable toml = TomlTable::from_file(toml_file);
-        for (const std::string_view key : kGroomTables) toml.leave(key);
-        const QuietStderr quiet;  // the textures' errors are told by ours
-        job.preview = read_preview_settings(toml, job.groom.scene.up.cast<float>());
-        job.dynamics = read_dynamics(toml, job.groom.scene);
-        toml.finish();
-        std::ifstream file(toml_file, std::ios::binary);
-        job.settings_text.assign(std::istreambuf_iterator<char>(file), {});
+    SourcedGroom sourced = read_groom_source(job.source);
+    job.groom = std::move(sourced.groom);
+    if (std::filesystem::path(job.groom.name).extension() == ".toml") {
+        const QuietStderr quiet;  // a texture's error is thrown by its reader as well
+        job.preview =
+            read_preview_settings(sourced.toml, job.groom.scene.up.cast<float>());
+        job.dynamics =
+            read_dynamics(sourced.toml, job.groom.scene, std::move(sourced.motion));
     }
+    sourced.toml.finish();
+    job.settings_text = std::move(sourced.text);
     job.pose_at = head_pose(job.dynamics.motion, job.groom);
     refuse_guide_options(options, job.groom);
     job.inputs = {options.input, job.groom.strands_file, job.groom.guides_file,

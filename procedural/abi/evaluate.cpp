@@ -12,7 +12,7 @@ namespace lancret::abi {
 namespace {
 
 std::string evaluation_text(lancret_context& context, const Source& source) {
-    GroomSettings groom = read_groom_source(source.settings).groom;
+    GroomSettings groom = read_groom(source).groom;
     if (!groom.guides.number && !groom.guides.share) groom.guides.share = 0.05;
     std::vector<std::string> warnings;
     const EvaluationSubject subject = load_subject(groom, {}, warnings);

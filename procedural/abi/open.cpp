@@ -15,7 +15,7 @@ namespace {
 
 std::shared_ptr<const OpenGroom> open_groom(lancret_context& context,
                                             const Source& source) {
-    const SourcedGroom sourced = read_groom_source(source.settings);
+    const SourcedGroom sourced = read_groom(source);
     const auto warn = [&context](const std::string& text) {
         log(context, LANCRET_LOG_WARNING, text);
     };

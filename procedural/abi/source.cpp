@@ -131,6 +131,16 @@ Source read_source(const lancret_source* given) {
     return out;
 }
 
+SourcedGroom read_groom(const Source& source) {
+    SourcedGroom out = read_groom_source(source.settings);
+    for (const char* table :
+         {"camera", "light", "material", "render", "dynamics", "colliders"}) {
+        out.toml.leave(table);
+    }
+    out.toml.finish();
+    return out;
+}
+
 std::optional<std::string> key_of(const Source& source, const SourcedGroom& sourced) {
     const GroomSource& s = source.settings;
     if (s.strands || s.scalp) return std::nullopt;

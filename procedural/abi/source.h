@@ -20,6 +20,11 @@ struct Source {
 /// finite, an index is out of range or a strand has too few points.
 Source read_source(const lancret_source* given);
 
+/// The groom of a source, its TOML checked for unknown keys. The tables that programs
+/// which show or simulate a groom read from the same file ([camera], [light], [material],
+/// [render], [dynamics], [[colliders]]) are ignored. Throws InputError.
+SourcedGroom read_groom(const Source& source);
+
 /// A key that differs between grooms with different strands: the contents of the source
 /// and its TOML, and path, size and time of each file that the groom names (of at most
 /// about 1000 files of a mesh sequence). nullopt if the source has arrays of the host,

@@ -12,16 +12,13 @@ namespace lancret {
 
 namespace {
 
-constexpr std::string_view kOthersTables[] = {"camera", "light",    "material",
-                                              "render", "dynamics", "colliders"};
-
-/// The groom that a cache of guides names, where it is a .toml that is there; else
-/// nothing: then the guides stand by themselves.
+/// The .toml file that a guide cache was made from; empty if it names none or the file
+/// is missing. The guides are then the groom.
 std::filesystem::path groom_of_cache(const std::filesystem::path& cache) {
     const std::filesystem::path groom = guide_cache_info(cache).groom;
-    std::error_code unknown;  // counts as not there
-    const bool there = std::filesystem::is_regular_file(groom, unknown);
-    return there && groom.extension() == ".toml" ? groom : std::filesystem::path();
+    std::error_code ignored;
+    const bool exists = std::filesystem::is_regular_file(groom, ignored);
+    return exists && groom.extension() == ".toml" ? groom : std::filesystem::path();
 }
 
 }  // namespace
@@ -36,15 +33,15 @@ SourcedGroom read_groom_source(const GroomSource& source) {
                                      source.path.string()));
     }
     const std::filesystem::path file = cache ? groom_of_cache(source.path) : source.path;
-    const bool by_itself = strands || (cache && file.empty());
-    const std::string name = source.path.empty()      ? "groom"
-                             : from_text || by_itself ? source.path.string()
-                                                      : file.string();
+    const bool without_toml = strands || (cache && file.empty());
+    const std::string name = source.path.empty()         ? "groom"
+                             : from_text || without_toml ? source.path.string()
+                                                         : file.string();
     const std::filesystem::path folder =
         from_text && !source.folder.empty() ? source.folder : file.parent_path();
-    std::string text = from_text   ? source.text.value_or("")
-                       : by_itself ? std::string()
-                                   : toml_file_text(file);
+    std::string text = from_text      ? source.text.value_or("")
+                       : without_toml ? std::string()
+                                      : toml_file_text(file);
     TomlTable toml = TomlTable::from_text(text, name, folder);
     for (const GroomParameter& parameter : source.parameters) {
         if (parameter.text) {
@@ -53,12 +50,10 @@ SourcedGroom read_groom_source(const GroomSource& source) {
             toml.set_override(parameter.name, parameter.number);
         }
     }
-    SourcedGroom out{read_groom(toml, name), {}, std::move(text)};
+    SourcedGroom out{read_groom(toml, name), {}, toml, std::move(text)};
     GroomSettings& groom = out.groom;
     out.motion = read_motion(toml.table("motion"), groom.scene.centimetres_per_unit());
-    for (const std::string_view key : kOthersTables) toml.leave(key);
-    toml.finish();
-    if (by_itself) {
+    if (without_toml) {
         groom.strands_file = source.path;
     } else if (cache) {
         groom.guides_file = source.path;

@@ -1,9 +1,10 @@
 #pragma once
-// Where a groom's settings come from: files of several kinds, a text, values laid over.
+// Reads a groom's settings from a file of any supported kind or from a text.
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "procedural/groom/groom.h"
@@ -11,36 +12,34 @@
 
 namespace lancret {
 
-/// A value for the key `name` of a groom's TOML, such as "strands.count".
+/// An override of one key of a groom's TOML.
 struct GroomParameter {
-    std::string name;
-    std::optional<std::string> text;  ///< else a number, or 0 or 1 of a boolean
-    double number = 0;
+    std::string name;                 ///< such as "strands.count"
+    std::optional<std::string> text;  ///< nullopt: the value is `number`
+    double number = 0;                ///< 0 or 1 for a boolean
 };
 
 struct GroomSource {
-    std::filesystem::path path;       ///< .toml, .hair or .h5; or empty
-    std::optional<std::string> text;  ///< of a TOML, in place of the file's
-    std::filesystem::path folder;     ///< that `text` names files from; empty: of `path`
+    std::filesystem::path path;       ///< .toml, .hair or .h5; may be empty
+    std::optional<std::string> text;  ///< TOML that replaces the contents of `path`
+    std::filesystem::path folder;     ///< base of paths in `text`; empty: that of `path`
     std::vector<GroomParameter> parameters;
-    std::shared_ptr<const Strands> strands;     ///< in place of the groom's file, or none
-    std::shared_ptr<const TriangleMesh> scalp;  ///< in place of the scalp's file, or none
+    std::shared_ptr<const Strands> strands;     ///< replace the groom's; may be null
+    std::shared_ptr<const TriangleMesh> scalp;  ///< replaces the groom's; may be null
 };
 
+/// What a source sets. Its TOML is still open: the caller reads the tables that it needs
+/// itself, leaves those that it ignores, and then calls `toml.finish()`, which rejects
+/// every key that nobody has read.
 struct SourcedGroom {
     GroomSettings groom;
-    MotionSettings motion;  ///< of its head
-    std::string text;       ///< of the TOML as it was read; empty where there is none
+    MotionSettings motion;  ///< of the head
+    TomlTable toml;         ///< with the parameters as overrides
+    std::string text;       ///< that `toml` was parsed from; empty without a TOML
 };
 
-/// The tables of a groom's TOML that say what grows; the others belong to who shows it.
-inline constexpr std::string_view kGroomTables[] = {
-    "scene", "guides", "scalp", "strands", "regions", "partings", "width"};
-
-/// The groom of a source; of one with neither path nor text, the groom that Lancret makes
-/// or that the source holds. The tables [camera], [light], [material], [render],
-/// [dynamics] and [[colliders]] belong to others and are not looked at. Throws
-/// InputError.
+/// Reads the groom's tables and [motion]. A source with neither path nor text gives the
+/// groom that Lancret generates, or the strands that the source holds. Throws InputError.
 SourcedGroom read_groom_source(const GroomSource& source);
 
 }  // namespace lancret

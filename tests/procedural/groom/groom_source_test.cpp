@@ -63,5 +63,17 @@ TEST(GroomParameters, SeedsAreTextsWhereDoublesDoNotHoldThem) {
                 testing::HasSubstr("'seed' must be a whole number"));
 }
 
+TEST(GroomSource, LeavesTablesOfItsCallerToTheCaller) {
+    GroomSource source;
+    source.text = "[strands]\ncount = 10\n[camera]\nmargin = 2\n";
+    const SourcedGroom unread = read_groom_source(source);
+    EXPECT_THAT(input_error([&] { unread.toml.finish(); }),
+                testing::HasSubstr("unknown key 'camera'"));
+    const SourcedGroom read = read_groom_source(source);
+    EXPECT_EQ(read.toml.table("camera").number("margin"), 2.0);
+    read.toml.finish();
+    EXPECT_EQ(read.text, *source.text);
+}
+
 }  // namespace
 }  // namespace lancret
