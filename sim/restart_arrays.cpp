@@ -42,7 +42,7 @@ void write(const ContactAnchor& anchor, std::vector<double>& out) {
          {body.distance, double(body.collider), double(body.triangle), anchor.pressure}) {
         out.push_back(x);
     }
-    for (const Vec3& v : {body.normal, body.point, anchor.place}) write(v, out);
+    for (const Vec3& v : {body.normal, body.point, anchor.position}) write(v, out);
 }
 
 ArrayReader::ArrayReader(const RestartArrays& arrays, const char* name) {
@@ -93,7 +93,7 @@ void read(ArrayReader& from, const Colliders& colliders, ContactAnchor& anchor) 
     anchor.pressure = from.number();
     body.normal = from.vector();
     body.point = from.vector();
-    anchor.place = from.vector();
+    anchor.position = from.vector();
 }
 
 }  // namespace lancret

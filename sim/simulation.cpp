@@ -17,19 +17,10 @@ void check(bool fine, const char* what) {
 
 }  // namespace
 
-void add(SimulationReport& to, const SimulationReport& from) {
-    to.steps += from.steps;
-    to.iterations += from.iterations;
-    to.unconverged += from.unconverged;
-    to.unsolved += from.unsolved;
-    to.deepest = std::max(to.deepest, from.deepest);
-    to.largest_error = std::max(to.largest_error, from.largest_error);
-}
-
 Simulation::Simulation(const Guides& rest, SimulationSettings settings,
                        SimulationScene scene, double frame)
-    : state_(
-          std::make_unique<State>(rest, std::move(settings), std::move(scene), frame)) {}
+    : state_(std::make_unique<SimulationState>(rest, std::move(settings),
+                                               std::move(scene), frame)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -46,7 +37,7 @@ std::size_t Simulation::guides_in_bodies() const {
     const std::size_t n = state_->stations();
     std::size_t out = 0;
     for (std::size_t g = 0; g < state_->guides.size(); ++g) {
-        const auto depths = std::span(state_->allowed).subspan(g * n, n);
+        const auto depths = std::span(state_->allowed_depths).subspan(g * n, n);
         out += std::ranges::any_of(depths, [](double depth) { return depth > 0; });
     }
     return out;
@@ -78,11 +69,11 @@ void Simulation::set_initial() {
 
 void Simulation::reset() {
     state_->guides = state_->initial;
-    state_->stand(state_->initial_frame);
+    state_->start_at(state_->initial_frame);
 }
 
 RestartArrays Simulation::restart() const {
-    const State& s = *state_;
+    const SimulationState& s = *state_;
     RestartArrays out;
     auto& past = out["past"];
     auto& touching = out["anchors"];
@@ -92,17 +83,17 @@ RestartArrays Simulation::restart() const {
     out["halvings"].assign(s.halvings.begin(), s.halvings.end());
     for (const RodPast& p : s.pasts) write(p, s.guides.segments, past);
     for (const ContactAnchor& a : s.anchors) write(a, touching);
-    out["allowed"] = s.allowed;
+    out["allowed"] = s.allowed_depths;
     return out;
 }
 
 void Simulation::resume(double frame, const Guides& guides, const RestartArrays& arrays) {
-    State& s = *state_;
+    SimulationState& s = *state_;
     check(guides.size() == s.guides.size() && guides.segments == s.guides.segments &&
               guides.segment_lengths == s.guides.segment_lengths,
           "resumes with the guides that it began with");
     s.guides = guides;
-    s.stand(frame);
+    s.start_at(frame);
     ArrayReader natural(arrays, "natural"), rates(arrays, "rates"), past(arrays, "past"),
         halvings(arrays, "halvings"), anchors(arrays, "anchors"),
         allowed(arrays, "allowed");
@@ -111,7 +102,7 @@ void Simulation::resume(double frame, const Guides& guides, const RestartArrays&
     for (int& level : s.halvings) level = halvings.whole(0, 20);
     for (RodPast& p : s.pasts) read(past, s.guides.segments, p);
     for (ContactAnchor& a : s.anchors) read(anchors, s.scene.colliders, a);
-    for (double& depth : s.allowed) {
+    for (double& depth : s.allowed_depths) {
         depth = allowed.number();
         check(depth >= 0, "resumes with depths of 0 or more");
     }

@@ -43,9 +43,9 @@ void check(const SimulationSettings& s) {
           "gravity is finite");
     check(within(s.drag, 0), "drag is 0 or more");
     check(s.substeps >= 1 && s.substeps <= 1000, "1 to 1000 substeps");
-    check(s.most_halvings >= 0 && s.most_halvings <= 20, "0 to 20 halvings");
+    check(s.max_halvings >= 0 && s.max_halvings <= 20, "0 to 20 halvings");
     check(s.error_tolerance > 0, "an error tolerance above 0");
-    check(s.step.tolerance > 0 && s.step.most_iterations >= 1,
+    check(s.step.tolerance > 0 && s.step.max_iterations >= 1,
           "a step iterates, to a tolerance above 0");
     const ContactSettings& c = s.contact;
     check(c.stations >= 1 && c.stations <= kMaxGaussPoints, "1 to 32 stations");
@@ -74,8 +74,8 @@ void check(const Guides& rest) {
 
 }  // namespace
 
-Simulation::State::State(const Guides& rest, SimulationSettings s, SimulationScene sc,
-                         double at)
+SimulationState::SimulationState(const Guides& rest, SimulationSettings s,
+                                 SimulationScene sc, double at_frame)
     : settings(std::move(s)),
       scene(std::move(sc)),
       section(rod_section(settings.material, settings.dissipation, settings.damping)),
@@ -91,49 +91,48 @@ Simulation::State::State(const Guides& rest, SimulationSettings s, SimulationSce
     check(settings);
     check(scene.roots.size() == guides.size(), "as many roots as guides");
     check(within(scene.frames_per_second, 1e-6), "frames_per_second is above 0");
-    check(within(std::abs(at), 0, 1e9), "a frame within 1e9");
+    check(within(std::abs(at_frame), 0, 1e9), "a frame within 1e9");
     rates.assign(guides.curvatures.size(), Vec3::Zero());
     pasts.resize(guides.size());
     halvings.assign(guides.size(), 0);
     anchors.resize(guides.size() * stations());
-    allowed.assign(anchors.size(), 0);
+    allowed_depths.assign(anchors.size(), 0);
     allowed_bodies.assign(anchors.size(), -1);
-    clear.resize(anchors.size());
+    clearances.resize(anchors.size());
     roots.resize(guides.size());
     next_roots.resize(guides.size());
-    stand(at);
+    start_at(at_frame);
     natural = settings.sag_free ? sag_free_natural(guides, section, settings.gravity)
                                 : guides.curvatures;
-    measure_groom();
+    measure_initial_depths();
     initial = guides;
-    initial_frame = at;
+    initial_frame = at_frame;
 }
 
-void Simulation::State::move_roots(double to, std::vector<RootMotion>& out) const {
-    const ScalpTime time = scalp_at(scene.motion, to);
+void SimulationState::find_roots(double at_frame, std::vector<RootMotion>& out) const {
+    const ScalpTime time = scalp_at(scene.motion, at_frame);
     for (std::size_t g = 0; g < out.size(); ++g) {
         out[g] = root_motion(time, scene.roots[g]);
     }
 }
 
-/// Puts the roots and bodies where they are at a frame, and forgets all motion.
-void Simulation::State::stand(double at) {
-    frame = at;
-    move_roots(at, roots);
+void SimulationState::start_at(double at_frame) {
+    frame = at_frame;
+    find_roots(at_frame, roots);
     for (std::size_t g = 0; g < guides.size(); ++g) {
         guides.root_positions[g] = roots[g].pose.position;
         guides.root_frames[g] = roots[g].pose.frame;
         pasts[g].size = 0;
     }
-    if (scene.move_colliders) scene.move_colliders(at, scene.colliders);
+    if (scene.move_colliders) scene.move_colliders(at_frame, scene.colliders);
     std::ranges::fill(rates, Vec3::Zero());
     std::ranges::fill(halvings, 0);
     std::ranges::fill(anchors, ContactAnchor{});
-    std::ranges::fill(clear, Clearance{});
+    std::ranges::fill(clearances, Clearance{});
 }
 
-/// How deep the groom itself lies in bodies: so far it is let alone.
-void Simulation::State::measure_groom() {
+/// Measures how deep the groom itself lies in bodies: contact allows it that depth.
+void SimulationState::measure_initial_depths() {
     if (scene.colliders.size() == 0) return;
     const double thickness = settings.contact.thickness;
     const GaussRule rule = gauss_rule(settings.contact.stations);
@@ -148,88 +147,127 @@ void Simulation::State::measure_groom() {
             const SurfaceSample body =
                 scene.colliders.nearest(state.position, contact_reach(settings.contact));
             if (s[i] < settings.contact.free_root || body.distance >= thickness) return;
-            allowed[g * stations() + i] = thickness - body.distance;
+            allowed_depths[g * stations() + i] = thickness - body.distance;
             allowed_bodies[g * stations() + i] = body.collider;
         });
     });
 }
 
-void Simulation::State::advance_guide(std::size_t g, double eps, double time,
-                                      double drift, SimulationWorker& worker) {
-    const Rod rod = this->rod(g);
-    const std::span<Vec3> q = curvatures_of(g);
-    const std::span<Vec3> rate = std::span(rates).subspan(g * q.size(), q.size());
+RodContact::Strand SimulationState::contact_strand(std::size_t g, const Rod& rod) {
     const std::size_t n = stations();
     RodContact::Strand strand;
     strand.lengths = rod.lengths;
     strand.anchors = std::span(anchors).subspan(g * n, n);
-    strand.allowed = std::span(allowed).subspan(g * n, n);
+    strand.allowed_depths = std::span(allowed_depths).subspan(g * n, n);
+    strand.allowed_bodies = std::span(allowed_bodies).subspan(g * n, n);
+    strand.clearances = std::span(clearances).subspan(g * n, n);
     if (strands_touch()) {
-        strand.places = neighbours.places(g);
+        strand.positions = neighbours.positions(g);
         strand.near = neighbours.near(g);
         strand.near_counts = neighbours.counts(g);
     }
-    strand.clear = std::span(clear).subspan(g * n, n);
-    for (Clearance& c : strand.clear) c.distance -= drift;
-    const bool contact = scene.colliders.size() > 0 || strands_touch();
-    strand.allowed_bodies = std::span(allowed_bodies).subspan(g * n, n);
-    double now = 0;  // s, at the end of the part at hand
-    RodForces forces{settings.gravity, settings.drag, {}};
+    return strand;
+}
+
+/// One step of one guide over a part of a substep.
+struct SimulationState::GuideStep {
+    std::size_t guide = 0;
+    Rod rod;
+    RodForces forces;
+    RodContact::Strand strand;
+    bool contact = false;  ///< whether anything can touch the guide
+    std::span<Vec3> curvatures, rates;
+    double eps = 0;       ///< s, of the whole substep
+    double end = 0;       ///< share of the substep at which the part ends
+    double duration = 0;  ///< s, of the part
+    RootMotion from, to;
+};
+
+/// Takes a step over `part`. If it fails or its error is too large, returns false; the
+/// state from before the step is then in `worker`.
+bool SimulationState::try_part(const GuideStep& part, SimulationWorker& worker,
+                               StepReport& report) {
+    worker.curvatures.assign(part.curvatures.begin(), part.curvatures.end());
+    worker.rates.assign(part.rates.begin(), part.rates.end());
+    worker.past = pasts[part.guide];
+    if (part.contact) worker.contact.begin(part.strand, part.eps, part.end);
+    report = worker.stepper.step(part.rod, part.forces, settings.step,
+                                 {part.from, part.to.pose, part.duration, part.curvatures,
+                                  part.rates, pasts[part.guide]},
+                                 part.contact ? &worker.contact : nullptr);
+    return report.solved && std::isfinite(report.local_error) &&
+           report.local_error <= settings.error_tolerance;
+}
+
+/// Accepts the step over `part`, whether or not it succeeded.
+void SimulationState::finish_part(const GuideStep& part, const StepReport& report,
+                                  SimulationWorker& worker) {
+    ++worker.report.steps;
+    worker.report.iterations += std::size_t(report.iterations);
+    worker.report.unconverged += !report.converged;
+    if (report.solved) {
+        worker.report.largest_error =
+            std::max(worker.report.largest_error, report.local_error);
+        if (part.contact) {
+            worker.report.deepest = std::max(worker.report.deepest,
+                                             worker.contact.end(worker.stepper.system()));
+        }
+    } else {
+        ++worker.report.unsolved;
+        std::ranges::fill(part.rates, Vec3::Zero());
+        pasts[part.guide].size = 0;
+    }
+}
+
+void SimulationState::advance_guide(std::size_t g, double eps, double time, double drift,
+                                    SimulationWorker& worker) {
+    GuideStep part;
+    part.guide = g;
+    part.rod = rod(g);
+    part.strand = contact_strand(g, part.rod);
+    for (Clearance& c : part.strand.clearances) c.distance -= drift;
+    part.contact = scene.colliders.size() > 0 || strands_touch();
+    part.curvatures = curvatures_of(g);
+    const std::size_t segments = part.curvatures.size();
+    part.rates = std::span(rates).subspan(g * segments, segments);
+    part.eps = eps;
+    part.from = roots[g];
+    double now = 0;  // s, at the end of the current part
+    part.forces = {settings.gravity, settings.drag, {}};
     if (settings.wind.mean != Vec3::Zero() || !wind.waves.empty()) {
-        forces.wind = [this, &now](const Vec3& x) { return wind_velocity(wind, x, now); };
+        part.forces.wind = [this, &now](const Vec3& x) {
+            return wind_velocity(wind, x, now);
+        };
     }
 
-    // Parts of the substep are counted in the smallest that there may be.
-    const int most = settings.adaptive ? settings.most_halvings : 0;
-    const int parts = 1 << most;
+    // Progress is counted in the smallest parts that the substep can be divided into.
+    const int max_level = settings.adaptive ? settings.max_halvings : 0;
+    const int count = 1 << max_level;
     int& level = halvings[g];
-    level = std::min(level, most);
-    RootMotion from = roots[g];
-    double carried = 0;  // how far the anchors have gone with their bodies
-    for (int done = 0; done < parts;) {
-        const int part = parts >> level;
-        const double step = eps / (1 << level);
-        const double share = double(done + part) / parts;
-        const RootMotion to = between(roots[g], next_roots[g], share);
-        now = time - (1 - share) * eps;
-        worker.curvatures.assign(q.begin(), q.end());
-        worker.rates.assign(rate.begin(), rate.end());
-        worker.past = pasts[g];
-        carry(scene.colliders, strand.anchors, carried, share);
-        carried = share;
-        if (contact) worker.contact.begin(strand, eps, share);
-        const StepReport report =
-            worker.stepper.step(rod, forces, settings.step, from, to.pose, step, q, rate,
-                                pasts[g], contact ? &worker.contact : nullptr);
-        const bool fine = report.solved && std::isfinite(report.local_error) &&
-                          report.local_error <= settings.error_tolerance;
-        if (!fine && level < most) {
-            std::ranges::copy(worker.curvatures, q.begin());
-            std::ranges::copy(worker.rates, rate.begin());
+    level = std::min(level, max_level);
+    double carried = 0;  // share of the substep over which the anchors were carried
+    for (int done = 0; done < count;) {
+        const int size = count >> level;
+        part.duration = eps / (1 << level);
+        part.end = double(done + size) / count;
+        part.to = between(roots[g], next_roots[g], part.end);
+        now = time - (1 - part.end) * eps;
+        carry(scene.colliders, part.strand.anchors, carried, part.end);
+        carried = part.end;
+        StepReport report;
+        if (!try_part(part, worker, report) && level < max_level) {
+            std::ranges::copy(worker.curvatures, part.curvatures.begin());
+            std::ranges::copy(worker.rates, part.rates.begin());
             std::swap(worker.past, pasts[g]);
             ++level;
             continue;
         }
-        ++worker.report.steps;
-        worker.report.iterations += std::size_t(report.iterations);
-        worker.report.unconverged += !report.converged;
-        if (report.solved) {
-            worker.report.largest_error =
-                std::max(worker.report.largest_error, report.local_error);
-            if (contact) {
-                worker.report.deepest = std::max(
-                    worker.report.deepest, worker.contact.end(worker.stepper.system()));
-            }
-        } else {
-            ++worker.report.unsolved;
-            std::ranges::fill(rate, Vec3::Zero());
-            pasts[g].size = 0;
-        }
-        done += part;
-        from = to;
-        // The error goes with the square of the step: twice the step has four times it.
+        finish_part(part, report, worker);
+        done += size;
+        part.from = part.to;
+        // The error grows as the square of the step: a doubled step has four times it.
         if (level > 0 && report.local_error < settings.error_tolerance / 8 &&
-            done % (2 * part) == 0) {
+            done % (2 * size) == 0) {
             --level;
         }
     }
@@ -237,19 +275,19 @@ void Simulation::State::advance_guide(std::size_t g, double eps, double time,
     guides.root_frames[g] = next_roots[g].pose.frame;
 }
 
-void Simulation::State::substep(double to, double eps) {
+void SimulationState::substep(double to_frame, double eps) {
     if (strands_touch()) {
         neighbours.find(guides, pasts, settings.strand_contact.radius,
                         settings.contact.stations, eps);
     }
-    move_roots(to, next_roots);
-    if (scene.move_colliders) scene.move_colliders(to, scene.colliders);
+    find_roots(to_frame, next_roots);
+    if (scene.move_colliders) scene.move_colliders(to_frame, scene.colliders);
     const double drift = scene.colliders.drift();
     tbb::parallel_for(std::size_t(0), guides.size(), [&](std::size_t g) {
-        advance_guide(g, eps, to / scene.frames_per_second, drift, workers.local());
+        advance_guide(g, eps, to_frame / scene.frames_per_second, drift, workers.local());
     });
     std::swap(roots, next_roots);
-    frame = to;
+    frame = to_frame;
 }
 
 }  // namespace lancret

@@ -1,23 +1,24 @@
 #pragma once
-// What a Simulation holds, and how it moves on. Only simulation*.cpp include it.
+// The state of a Simulation and how it advances.
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
+#include "guides/helix/guides.h"
 #include "sim/contact/strand_contact.h"
-#include "sim/simulation.h"
+#include "sim/simulation_settings.h"
 
 namespace lancret {
 
-/// What a thread works with.
+/// The buffers of one thread.
 struct SimulationWorker {
     RodStepper stepper;
     RodContact contact;
-    std::vector<Vec3> curvatures, rates;  ///< before a step that may be refused
-    RodPast past;
+    std::vector<Vec3> curvatures, rates;  ///< before a step that may be rejected
+    RodPast past;                         ///< likewise
     SimulationReport report;
 };
 
-struct Simulation::State {
+struct SimulationState {
     SimulationSettings settings;
     SimulationScene scene;
     RodSection section;
@@ -29,16 +30,20 @@ struct Simulation::State {
     std::vector<RodPast> pasts;
     std::vector<int> halvings;  ///< [guides], of a substep, as last taken
     std::vector<ContactAnchor> anchors;
-    std::vector<double> allowed;
-    std::vector<int> allowed_bodies;  ///< of each station, -1 where none
-    std::vector<Clearance> clear;     ///< of each station; what it says is never needed
+    std::vector<double> allowed_depths;  ///< [guides * stations], cm
+    std::vector<int> allowed_bodies;     ///< [guides * stations], -1: none
+    std::vector<Clearance> clearances;   ///< [guides * stations], a cache: results do
+                                         ///< not depend on it
     StrandNeighbours neighbours;
     tbb::enumerable_thread_specific<SimulationWorker> workers;
     Guides initial;
     double initial_frame = 0;
 
-    State(const Guides& rest, SimulationSettings s, SimulationScene sc, double at);
+    /// Throws as the constructor of Simulation does.
+    SimulationState(const Guides& rest, SimulationSettings s, SimulationScene sc,
+                    double at_frame);
 
+    /// Stations per guide.
     std::size_t stations() const {
         return std::size_t(guides.segments * settings.contact.stations);
     }
@@ -51,12 +56,23 @@ struct Simulation::State {
         const auto n = std::size_t(guides.segments);
         return {guides.lengths_of(g), std::span(natural).subspan(g * n, n), section};
     }
-    void move_roots(double to, std::vector<RootMotion>& out) const;
-    void stand(double at);
-    void measure_groom();
-    void substep(double to, double eps);
+
+    /// Puts roots and bodies where they are at a frame and forgets all motion.
+    void start_at(double at_frame);
+    /// Advances all guides to `frame`, which is `eps` seconds ahead.
+    void substep(double to_frame, double eps);
+
+  private:
+    struct GuideStep;
+
+    void find_roots(double at_frame, std::vector<RootMotion>& out) const;
+    void measure_initial_depths();
+    RodContact::Strand contact_strand(std::size_t g, const Rod& rod);
     void advance_guide(std::size_t g, double eps, double time, double drift,
                        SimulationWorker& worker);
+    bool try_part(const GuideStep& part, SimulationWorker& worker, StepReport& report);
+    void finish_part(const GuideStep& part, const StepReport& report,
+                     SimulationWorker& worker);
 };
 
 }  // namespace lancret

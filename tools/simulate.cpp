@@ -1,10 +1,11 @@
-// lancret simulate: guides in, guides in time out.
+// lancret simulate: simulates guides and writes a cache of frames.
 
 #include "tools/subcommands.h"
 
 #include <fmt/format.h>
 
 #include <memory>
+#include <tuple>
 
 #include "guides/base/errors.h"
 #include "guides/base/hash.h"
@@ -29,7 +30,7 @@ struct SimulateOptions {
     bool restart = false;
 };
 
-/// A number that tells contents apart.
+/// A hash of the contents of a job.
 class Fingerprint {
   public:
     template <class T>
@@ -57,7 +58,7 @@ class Fingerprint {
     std::uint64_t value_ = 0;
 };
 
-/// What decides the frames of a run, as a text.
+/// Everything that determines the frames of a run, as a text.
 std::string job_text(const SimulateOptions& options, const Job& job,
                      const PlacedGuides& source, int first) {
     Fingerprint print;
@@ -74,12 +75,12 @@ std::string job_text(const SimulateOptions& options, const Job& job,
         if (file) print.add(read_obj(*file));
     }
     print.add(std::span<const char>(job.settings_text));
-    // Files of a sequence by what they were last written: reading them all would take as
-    // long as the frames.
+    // The files of a sequence by size and modification time: reading them all would take
+    // as long as the frames.
     const ObjSequence& files = job.dynamics.motion.files;
     for (int frame = files.first; !files.pattern.empty() && frame <= files.last;
          ++frame) {
-        std::error_code missing;  // is told when the frame is read
+        std::error_code missing;  // reported when the frame is read
         const auto file = frame_path(files.pattern, frame);
         const std::uint64_t written[] = {
             std::uint64_t(std::filesystem::file_size(file, missing)),
@@ -94,106 +95,161 @@ std::string job_text(const SimulateOptions& options, const Job& job,
         kSimulationMethod, print.value());
 }
 
-int simulate_groom(const SimulateOptions& options) {
-    if (!(options.fps >= 1)) throw InputError("--fps: is no number of frames");
-    Job job = read_job(options.groom);
-    check_output(options.output, {".h5"}, job.inputs);
-    check_output(options.groom.stats, {}, job.inputs, options.output);
-    const auto [first, last] = parse_frames(options.frames, "--frames");
-    if (options.substeps) job.dynamics.simulation.substeps = *options.substeps;
+/// A job whose options are checked and whose guides are placed.
+struct PreparedJob {
+    Job job;
+    int first = 0, last = 0;  ///< frame numbers
+    PlacedGuides source;
+};
+
+PreparedJob prepare(const SimulateOptions& options) {
+    if (!(options.fps >= 1)) {
+        throw InputError("--fps: expected a number of frames per second, at least 1");
+    }
+    PreparedJob out;
+    out.job = read_job(options.groom);
+    const GroomSettings& groom = out.job.groom;
+    check_output(options.output, {".h5"}, out.job.inputs);
+    check_output(options.groom.stats, {}, out.job.inputs, options.output);
+    std::tie(out.first, out.last) = parse_frames(options.frames, "--frames");
+    if (options.substeps) out.job.dynamics.simulation.substeps = *options.substeps;
 
     StageLine line;
-    const PlacedGuides source =
-        groom_guides(job.groom, [&](const char* stage) { line.show(stage); });
+    out.source = groom_guides(groom, [&](const char* stage) { line.show(stage); });
     line.clear();
-    for (const std::string& warning : source.warnings) {
+    for (const std::string& warning : out.source.warnings) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }
-    Simulation simulation(
-        source.guides, job.dynamics.simulation,
-        simulation_scene(job.dynamics, source, job.groom.scene, options.fps), first);
+    return out;
+}
 
-    const std::size_t falling =
-        job.dynamics.simulation.sag_free
-            ? falling_guides(simulation.guides(), simulation.natural(),
-                             simulation.section(), job.dynamics.simulation.gravity)
-                  .size()
-            : 0;
+GuideCacheHeader cache_header(const SimulateOptions& options,
+                              const PreparedJob& prepared) {
     GuideCacheHeader header;
     header.frames_per_second = options.fps;
-    header.first_frame = first;
-    header.groom = std::filesystem::absolute(job.groom.name).lexically_normal().string();
-    FrameStore store(options.output, header, job_text(options, job, source, first),
-                     source.guides, options.restart);
-    if (falling > 0) {
-        fmt::print(
-            stderr,
-            "lancret: {} of {} guides rest where a touch makes them fall: too soft "
-            "for their shape (see [dynamics])\n",
-            falling, source.guides.size());
-    }
+    header.first_frame = prepared.first;
+    header.groom =
+        std::filesystem::absolute(prepared.job.groom.name).lexically_normal().string();
+    return header;
+}
+
+/// The number of guides that start in an unstable equilibrium.
+std::size_t count_falling(const Simulation& simulation,
+                          const SimulationSettings& settings) {
+    if (!settings.sag_free) return 0;
+    return falling_guides(simulation.guides(), simulation.natural(), simulation.section(),
+                          settings.gravity)
+        .size();
+}
+
+/// Statistics of the frames that were simulated.
+struct FramesReport {
+    int begun = 0;  ///< frame number of the state that the run started from
+    SimulationReport total;
+    double deepest = 0;     ///< cm
+    int deepest_frame = 0;  ///< frame number
+    double seconds = 0;
+};
+
+/// Simulates the frames that `store` does not have yet.
+FramesReport run_frames(Simulation& simulation, FrameStore& store, int first, int last) {
     if (store.frames_done() > 0) {
-        const LastFrame at = store.last();
-        fmt::print(stderr, "lancret: goes on after frame {}\n", at.number);
-        simulation.resume(at.number, at.guides, at.arrays);
+        const LastFrame stored = store.last();
+        fmt::print(stderr, "lancret: continuing after frame {}\n", stored.number);
+        simulation.resume(stored.number, stored.guides, stored.arrays);
     } else {
         store.add(simulation.guides(), simulation.restart());
     }
-    const int begun = first + store.frames_done() - 1;
+    FramesReport out;
+    out.begun = first + store.frames_done() - 1;
+    out.deepest_frame = first;
     Stopwatch watch;
     ProgressBar bar("simulate");
-    SimulationReport total;
-    double deepest = 0;
-    int deepest_frame = first;
-    for (int frame = begun; frame < last; ++frame) {
+    for (int frame = out.begun; frame < last; ++frame) {
         simulation.advance();
         store.add(simulation.guides(), simulation.restart());
         const SimulationReport report = simulation.take_report();
-        add(total, report);
-        if (report.deepest > deepest) {
-            deepest = report.deepest;
-            deepest_frame = frame + 1;
+        add(out.total, report);
+        if (report.deepest > out.deepest) {
+            out.deepest = report.deepest;
+            out.deepest_frame = frame + 1;
         }
-        bar.show(double(frame + 1 - begun) / (last - begun));
+        bar.show(double(frame + 1 - out.begun) / (last - out.begun));
     }
-    const double seconds = watch.lap();
-    store.finish();
+    out.seconds = watch.lap();
+    return out;
+}
 
-    const std::size_t frames = std::size_t(std::max(last - begun, 0));
+nlohmann::json stats_of(const PreparedJob& prepared, const FramesReport& run) {
+    const std::size_t frames = std::size_t(std::max(prepared.last - run.begun, 0));
     nlohmann::json stats;
-    stats["frames"] = {
-        {"first", first}, {"last", std::max(last, begun)}, {"simulated", frames}};
-    stats["guides"] = source.guides.size();
-    stats["segments"] = source.guides.segments;
-    stats["falling_guides"] = falling;
-    stats["guides_in_bodies"] = simulation.guides_in_bodies();
-    stats["seconds"] = {{"load", source.seconds.load},
-                        {"fit", source.seconds.fit},
-                        {"simulate", seconds}};
-    stats["steps"] = total.steps;
-    stats["iterations"] = total.iterations;
-    stats["unconverged_steps"] = total.unconverged;
-    stats["unsolved_steps"] = total.unsolved;
-    stats["largest_local_error_cm"] = total.largest_error;
-    stats["deepest_penetration_cm"] = deepest;
-    stats["deepest_penetration_frame"] = deepest_frame;
-    write_stats(options.groom.stats, std::move(stats));
-    std::string troubles;
-    if (total.unsolved) troubles += fmt::format("; {} steps failed", total.unsolved);
-    // A few that end a little above the tolerance are of no account.
+    stats["frames"] = {{"first", prepared.first},
+                       {"last", std::max(prepared.last, run.begun)},
+                       {"simulated", frames}};
+    stats["guides"] = prepared.source.guides.size();
+    stats["segments"] = prepared.source.guides.segments;
+    stats["seconds"] = {{"load", prepared.source.seconds.load},
+                        {"fit", prepared.source.seconds.fit},
+                        {"simulate", run.seconds}};
+    stats["steps"] = run.total.steps;
+    stats["iterations"] = run.total.iterations;
+    stats["unconverged_steps"] = run.total.unconverged;
+    stats["unsolved_steps"] = run.total.unsolved;
+    stats["largest_local_error_cm"] = run.total.largest_error;
+    stats["deepest_penetration_cm"] = run.deepest;
+    stats["deepest_penetration_frame"] = run.deepest_frame;
+    return stats;
+}
+
+void print_summary(const std::string& output, const PreparedJob& prepared,
+                   const FramesReport& run) {
+    const SimulationReport& total = run.total;
+    std::string problems;
+    if (total.unsolved) problems += fmt::format("; {} steps failed", total.unsolved);
+    // A few steps that end a little above the tolerance do not matter.
     if (total.unconverged > total.steps / 100) {
-        troubles += fmt::format("; {:.1f} % of steps did not converge",
+        problems += fmt::format("; {:.1f} % of steps did not converge",
                                 100. * double(total.unconverged) / double(total.steps));
     }
     fmt::print(
         "{}: {} guides of {} segments, frames {}-{}; {} simulated in {:.2f} s{}; deepest "
-        "penetration in them {:.4f} cm{}\n",
-        options.output, source.guides.size(), source.guides.segments, first,
-        std::max(last, begun), frames, seconds,
-        total.steps ? fmt::format(" ({:.1f} us a guide's step, all threads)",
-                                  seconds * 1e6 / double(total.steps))
+        "penetration {:.4f} cm{}\n",
+        output, prepared.source.guides.size(), prepared.source.guides.segments,
+        prepared.first, std::max(prepared.last, run.begun),
+        std::max(prepared.last - run.begun, 0), run.seconds,
+        total.steps ? fmt::format(" ({:.1f} us per step of one guide, all threads)",
+                                  run.seconds * 1e6 / double(total.steps))
                     : "",
-        deepest, troubles);
+        run.deepest, problems);
+}
+
+int simulate_groom(const SimulateOptions& options) {
+    const PreparedJob prepared = prepare(options);
+    const Job& job = prepared.job;
+    const DynamicsSettings& dynamics = job.dynamics;
+    const Guides& guides = prepared.source.guides;
+    Simulation simulation(
+        guides, dynamics.simulation,
+        simulation_scene(dynamics, prepared.source, job.groom.scene, options.fps),
+        prepared.first);
+    const std::size_t falling = count_falling(simulation, dynamics.simulation);
+    FrameStore store(options.output, cache_header(options, prepared),
+                     job_text(options, job, prepared.source, prepared.first), guides,
+                     options.restart);
+    if (falling > 0) {
+        fmt::print(stderr,
+                   "lancret: {} of {} guides rest in an unstable equilibrium and may "
+                   "fall; the material is too soft for their shape (see [dynamics])\n",
+                   falling, guides.size());
+    }
+    const FramesReport run = run_frames(simulation, store, prepared.first, prepared.last);
+    store.finish();
+
+    nlohmann::json stats = stats_of(prepared, run);
+    stats["falling_guides"] = falling;
+    stats["guides_in_bodies"] = simulation.guides_in_bodies();
+    write_stats(options.groom.stats, std::move(stats));
+    print_summary(options.output, prepared, run);
     return kFine;
 }
 
@@ -202,28 +258,31 @@ int simulate_groom(const SimulateOptions& options) {
 void add_simulate(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<SimulateOptions>();
     CLI::App* command = app.add_subcommand(
-        "simulate", "Move a groom's guides with its head: a cache of frames");
+        "simulate", "Simulate a groom's guides on its moving head; writes a frame cache");
     add_groom_options(*command, options->groom);
-    command->add_option("--frames", options->frames, "to simulate, the first at rest")
+    command
+        ->add_option("--frames", options->frames,
+                     "frames to simulate; the first is at rest")
         ->type_name("A-B")
         ->capture_default_str()
         ->check(not_empty());
-    command->add_option("--fps", options->fps, "frames a second")
+    command->add_option("--fps", options->fps, "frames per second")
         ->type_name("N")
         ->capture_default_str()
         ->check(number_between(1, 10000));
-    command->add_option("--substeps", options->substeps, "of a frame")
+    command->add_option("--substeps", options->substeps, "steps per frame")
         ->type_name("N")
         ->check(CLI::Range(1, 1000));
     command->add_flag("--restart", options->restart,
-                      "begin anew where an unfinished run lies");
-    command->add_option("-o,--output", options->output, "the cache: .h5")
+                      "discard an unfinished run and start over");
+    command->add_option("-o,--output", options->output, "cache of frames (.h5)")
         ->required()
         ->type_name("FILE")
         ->check(not_empty());
     command->footer(
-        "A run that was killed goes on when the same command is given again.\n"
-        "The head's motion, hair and colliders are said in the groom's TOML.\n"
+        "An interrupted run continues when the same command is given again.\n"
+        "The groom's TOML sets the head's motion, the material of the hair and the "
+        "colliders.\n"
         "Examples:\n"
         "  lancret simulate examples/made_groom.toml --frames 1-96 -o cache.h5\n"
         "  lancret preview cache.h5 --frames 1-96 -o head.####.png\n"

@@ -38,7 +38,8 @@ struct LinearStep {
 
     explicit LinearStep(int segments) : rod(curled_hair(segments)) {
         layout.lay_out(rod.lengths, rod.curvatures);
-        point_places(rod.lengths, rod.root.pose, rod.curvatures, layout, targets, joints);
+        point_positions(rod.lengths, rod.root.pose, rod.curvatures, layout, targets,
+                        joints);
         const double eps = 1. / 96;
         for (const double l : rod.lengths) {
             diagonal.push_back(l * (eps * eps + 0.05 * eps) * rod.section.stiffness);
@@ -102,12 +103,14 @@ void step(benchmark::State& state, Integrator integrator, bool velocity_terms,
             rod = begin;
             past = {};
         }
-        if (contact)
+        if (contact) {
             potential.begin({rod.lengths, anchors, allowed, {}, {}, {}, {}}, 1. / 96);
+        }
         iterations +=
             stepper
-                .step(rod.rod(), forces, settings, rod.root, rod.root.pose, 1. / 96,
-                      rod.curvatures, rod.rates, past, contact ? &potential : nullptr)
+                .step(rod.rod(), forces, settings,
+                      {rod.root, rod.root.pose, 1. / 96, rod.curvatures, rod.rates, past},
+                      contact ? &potential : nullptr)
                 .iterations;
         if (contact) potential.end(stepper.system());
     }

@@ -36,7 +36,7 @@ void carry(const Colliders& colliders, std::span<ContactAnchor> anchors, double 
            double to) {
     for (ContactAnchor& anchor : anchors) {
         if (!anchor.touches()) continue;
-        anchor.place = colliders.carried(anchor.body, anchor.place, from, to);
+        anchor.position = colliders.carried(anchor.body, anchor.position, from, to);
     }
 }
 
@@ -51,22 +51,23 @@ void RodContact::begin(const Strand& strand, double eps, double share) {
     // Not for times between. Where the distance may jump, as round the borders of an open
     // mesh, no longer than for this step, so that what happens never hangs on the past.
     remembers_ = share == 1;
-    clear_.assign(strand.clear.empty() ? strand.anchors.size() : 0, {});
-    if (strand.clear.empty()) strand_.clear = clear_;
+    const bool lent = !strand.clearances.empty();
+    own_clearances_.assign(lent ? 0 : strand.anchors.size(), {});
+    if (!lent) strand_.clearances = own_clearances_;
     reference_ = colliders_.reference();
-    if (!colliders_.closed()) std::ranges::fill(strand_.clear, Clearance{});
+    if (!colliders_.closed()) std::ranges::fill(strand_.clearances, Clearance{});
 }
 
-SurfaceSample RodContact::sample(std::size_t station, const Vec3& place) {
+SurfaceSample RodContact::sample(std::size_t station, const Vec3& position) {
     const double reach = contact_reach(settings_);
-    if (!remembers_) return colliders_.nearest(place, reach, share_);
-    Clearance& clear = strand_.clear[station];
-    const Vec3 seen = inverse_image(reference_, place);
+    if (!remembers_) return colliders_.nearest(position, reach, share_);
+    Clearance& clear = strand_.clearances[station];
+    const Vec3 seen = inverse_image(reference_, position);
     if (clear.distance > 0 &&
-        (seen - clear.place).squaredNorm() < clear.distance * clear.distance) {
+        (seen - clear.position).squaredNorm() < clear.distance * clear.distance) {
         return {};
     }
-    const SurfaceSample found = colliders_.nearest(place, reach);
+    const SurfaceSample found = colliders_.nearest(position, reach);
     // A little less, so that round-off never hides a touch.
     clear = {seen, std::min(found.distance, reach) - settings_.thickness - 1e-9};
     return found;
@@ -75,7 +76,7 @@ SurfaceSample RodContact::sample(std::size_t station, const Vec3& place) {
 double RodContact::allowance(std::size_t station, const SurfaceSample& body) const {
     const bool other = !strand_.allowed_bodies.empty() &&
                        strand_.allowed_bodies[station] != body.collider;
-    return other ? 0 : strand_.allowed[station];
+    return other ? 0 : strand_.allowed_depths[station];
 }
 
 double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& point,
@@ -83,7 +84,8 @@ double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& poin
     double energy = 0;
     for (int i = 0; i < strand_.near_counts[station]; ++i) {
         const StrandNear& other = strand_.near[station * kMaxNear + std::size_t(i)];
-        const Vec3 away = point.place - (other.place - (1 - share_) * other.move);
+        const Vec3 away =
+            point.position - (other.position - (1 - share_) * other.displacement);
         const double distance = away.norm(), w = weight * other.share;
         const double reach = 2 * strands_.radius;
         if (distance < 1e-9) continue;  // no direction to part in
@@ -108,14 +110,15 @@ double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& poin
         // Viscous friction against the other strand's own motion, fading with their
         // distance at the step's begin: within the step it is a constant of the energy.
         const double begun =
-            (strand_.places[station] - (other.place - other.move)).norm();
+            (strand_.positions[station] - (other.position - other.displacement)).norm();
         const double near = std::clamp(2 - begun / reach, 0., 1.);
         const Vec3 t = other.tangent;
         const Mat3 drag =
             near * w / eps_ *
             (strands_.friction_across * Mat3::Identity() +
              (strands_.friction_along - strands_.friction_across) * t * t.transpose());
-        const Vec3 slide = point.place - strand_.places[station] - share_ * other.move;
+        const Vec3 slide =
+            point.position - strand_.positions[station] - share_ * other.displacement;
         energy += slide.dot(drag * slide) / 2;
         force -= drag * slide;
         stiffness += drag;
@@ -142,7 +145,7 @@ double RodContact::add_to(RodSystem& system, double scale) {
                 energy += strand_energy(system, point, station, weight, scale);
             }
             if (free) continue;
-            const SurfaceSample body = sample(station, point.place);
+            const SurfaceSample body = sample(station, point.position);
             const double depth =
                 settings_.thickness - allowance(station, body) - body.distance;
             if (!(depth > 0)) continue;
@@ -154,7 +157,7 @@ double RodContact::add_to(RodSystem& system, double scale) {
             Mat3 stiffness = weight * push.stiffness * n * n.transpose();
             const ContactAnchor& anchor = strand_.anchors[station];
             if (anchor.touches() && settings_.friction > 0) {
-                const Vec3 away = point.place - anchor.place;
+                const Vec3 away = point.position - anchor.position;
                 const Vec3 slide = away - n * n.dot(away);
                 const Friction held = friction(slide.norm(), settings_.stiffness,
                                                settings_.friction * anchor.pressure);
@@ -184,8 +187,8 @@ double RodContact::end(const RodSystem& system) {
             const double u = length * rule.nodes[i];
             ContactAnchor& anchor = strand_.anchors[station];
             const bool free = start + u < settings_.free_root || colliders_.size() == 0;
-            const Vec3 place = free ? Vec3::Zero() : system.point(q, u).place;
-            const SurfaceSample body = free ? SurfaceSample{} : sample(station, place);
+            const Vec3 position = free ? Vec3::Zero() : system.point(q, u).position;
+            const SurfaceSample body = free ? SurfaceSample{} : sample(station, position);
             const double allowed = allowance(station, body);
             const double depth = settings_.thickness - allowed - body.distance;
             if (!(depth > 0)) {
@@ -197,16 +200,16 @@ double RodContact::end(const RodSystem& system) {
             const double pressure =
                 penalty(depth, settings_.stiffness, settings_.regularization).force;
             if (!anchor.touches() || anchor.body.collider != body.collider) {
-                anchor.place = place;
+                anchor.position = position;
             }
-            const Vec3 away = place - anchor.place;
+            const Vec3 away = position - anchor.position;
             const Vec3 slide = away - body.normal * body.normal.dot(away);
             const double most = settings_.friction * pressure / settings_.stiffness;
             const double length_of_slide = slide.norm();
             // The anchor lies beside the station, on its level, no further than friction
             // holds.
-            anchor.place =
-                place -
+            anchor.position =
+                position -
                 (length_of_slide > most ? Vec3(slide * (most / length_of_slide)) : slide);
             anchor.body = body;
             anchor.pressure = pressure;

@@ -39,9 +39,9 @@ Penalty penalty(double depth, double stiffness, double regularization);
 
 /// A station that touches a body.
 struct ContactAnchor {
-    SurfaceSample body;         ///< where it touched
-    Vec3 place = Vec3::Zero();  ///< of the anchor, in space, cm
-    double pressure = 0;        ///< with which it touches, dyn/cm
+    SurfaceSample body;            ///< where it touched
+    Vec3 position = Vec3::Zero();  ///< of the anchor, in space, cm
+    double pressure = 0;           ///< with which it touches, dyn/cm
     bool touches() const { return body.collider >= 0; }
 };
 
@@ -61,16 +61,16 @@ struct StrandContactSettings {
 
 /// A point of another strand near a station, foreseen to the end of the step.
 struct StrandNear {
-    Vec3 place;        ///< cm
-    Vec3 move;         ///< from the step's begin, cm
-    Vec3 tangent;      ///< unit, towards its tip
-    double share = 0;  ///< of the pair's energy that is this strand's
+    Vec3 position;      ///< cm
+    Vec3 displacement;  ///< from the step's begin, cm
+    Vec3 tangent;       ///< unit, towards its tip
+    double share = 0;   ///< of the pair's energy that is this strand's
 };
 
 /// No body is within `distance` (cm) of `place`, which is told in the space of body 0: so
 /// far a station may go before bodies are asked again. Below 0: not known.
 struct Clearance {
-    Vec3 place = Vec3::Zero();
+    Vec3 position = Vec3::Zero();
     double distance = -1;
 };
 
@@ -85,13 +85,13 @@ class RodContact : public RodPotential {
     struct Strand {
         std::span<const double> lengths;
         std::span<ContactAnchor> anchors;
-        std::span<const double> allowed;
-        std::span<const Vec3> places;
+        std::span<const double> allowed_depths;
+        std::span<const Vec3> positions;
         std::span<const StrandNear> near;
         std::span<const std::uint8_t> near_counts;
         /// One a station, kept from step to step and lessened by Colliders::drift(); or
         /// empty, and then forgotten at each begin, as with a mesh that has borders.
-        std::span<Clearance> clear{};
+        std::span<Clearance> clearances{};
         /// The body that each of `allowed` is told of; empty: all.
         std::span<const int> allowed_bodies{};
     };
@@ -112,7 +112,7 @@ class RodContact : public RodPotential {
     double end(const RodSystem& system);
 
   private:
-    SurfaceSample sample(std::size_t station, const Vec3& place);
+    SurfaceSample sample(std::size_t station, const Vec3& position);
     double allowance(std::size_t station, const SurfaceSample& body) const;
     double strand_energy(RodSystem& system, const RodSystem::Point& point,
                          std::size_t station, double weight, double scale) const;
@@ -124,7 +124,7 @@ class RodContact : public RodPotential {
     double eps_ = 0, share_ = 1;
     bool remembers_ = false;
     RigidPose reference_;
-    std::vector<Clearance> clear_;
+    std::vector<Clearance> own_clearances_;
 };
 
 }  // namespace lancret

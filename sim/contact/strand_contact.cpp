@@ -29,7 +29,7 @@ void StrandNeighbours::find(const Guides& guides, std::span<const RodPast> pasts
                             double radius, int stations, double eps) {
     per_guide_ = std::size_t(guides.segments) * std::size_t(stations);
     const std::size_t all = per_guide_ * guides.size();
-    places_.resize(all);
+    positions_.resize(all);
     moves_.resize(all);
     tangents_.resize(all);
     strands_.resize(all);
@@ -39,7 +39,7 @@ void StrandNeighbours::find(const Guides& guides, std::span<const RodPast> pasts
         const std::size_t first = g * per_guide_;
         for_each_station(guides.root(g), guides.lengths_of(g), guides.curvatures_of(g),
                          stations, [&](std::size_t i, const auto& state) {
-                             places_[first + i] = state.position;
+                             positions_[first + i] = state.position;
                              tangents_[first + i] = state.frame.col(0);
                              moves_[first + i].setZero();
                              strands_[first + i] = std::uint32_t(g);
@@ -48,12 +48,13 @@ void StrandNeighbours::find(const Guides& guides, std::span<const RodPast> pasts
         const RodPose& before = pasts[g].poses[0];
         for_each_station(before.root, guides.lengths_of(g), before.curvatures, stations,
                          [&](std::size_t i, const auto& state) {
-                             moves_[first + i] = (places_[first + i] - state.position) *
-                                                 (eps / pasts[g].eps);
+                             moves_[first + i] =
+                                 (positions_[first + i] - state.position) *
+                                 (eps / pasts[g].eps);
                          });
     });
     // Twice the reach, so that cohesion and friction fade within it.
-    grid_.find(places_, strands_, 4 * radius);
+    grid_.find(positions_, strands_, 4 * radius);
     tbb::parallel_for(std::size_t(0), all, [&](std::size_t station) {
         const auto found = grid_.neighbours(station);
         counts_[station] = std::uint8_t(found.size());
@@ -62,7 +63,7 @@ void StrandNeighbours::find(const Guides& guides, std::span<const RodPast> pasts
             // Each of a pair sees the other where it would go by itself, so each takes
             // half of what parts them.
             near_[station * RodContact::kMaxNear + i] = {
-                places_[other] + moves_[other], moves_[other], tangents_[other], 0.5};
+                positions_[other] + moves_[other], moves_[other], tangents_[other], 0.5};
         }
     });
 }

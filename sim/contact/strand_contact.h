@@ -18,7 +18,7 @@ class StrandNeighbours {
               int stations, double eps);
 
     /// Of guide g, as RodContact::Strand wants them.
-    std::span<const Vec3> places(std::size_t g) const { return of(places_, g, 1); }
+    std::span<const Vec3> positions(std::size_t g) const { return of(positions_, g, 1); }
     std::span<const StrandNear> near(std::size_t g) const {
         return of(near_, g, RodContact::kMaxNear);
     }
@@ -35,7 +35,7 @@ class StrandNeighbours {
     }
 
     std::size_t per_guide_ = 0;
-    std::vector<Vec3> places_, moves_, tangents_;
+    std::vector<Vec3> positions_, moves_, tangents_;
     std::vector<std::uint32_t> strands_;
     std::vector<StrandNear> near_;
     std::vector<std::uint8_t> counts_;

@@ -25,8 +25,8 @@ constexpr double kMaxRadii = 1e10, kCellWidth = 1 + 1e-5;
 
 /// The cell of a place: whole numbers, as doubles, for a place may be any number of cells
 /// away.
-Vec3 cell_of(const Vec3& place, double cell) {
-    return (place / cell).array().floor().matrix();
+Vec3 cell_of(const Vec3& position, double cell) {
+    return (position / cell).array().floor().matrix();
 }
 
 /// The hash of a cell. Cells may share one: a search then sees points that are too far,
@@ -92,8 +92,8 @@ void StrandGrid::sort_into_buckets(std::span<const Vec3> points,
     cell_ = cell;
 }
 
-std::uint32_t StrandGrid::search(const Vec3& place, std::uint32_t strand, double radius,
-                                 StrandNeighbour* out) const {
+std::uint32_t StrandGrid::search(const Vec3& position, std::uint32_t strand,
+                                 double radius, StrandNeighbour* out) const {
     // The nearest points so far, each of its own strand, by square of distance and index.
     struct Found {
         double distance2;
@@ -124,7 +124,7 @@ std::uint32_t StrandGrid::search(const Vec3& place, std::uint32_t strand, double
         best[at] = found;
     };
 
-    const Vec3 home = cell_of(place, cell_);
+    const Vec3 home = cell_of(position, cell_);
     const std::uint64_t mask = begins_.size() - 2;
     for (int neighbour = 0; neighbour < 27; ++neighbour) {
         const Vec3 cell =
@@ -132,7 +132,7 @@ std::uint32_t StrandGrid::search(const Vec3& place, std::uint32_t strand, double
         const std::size_t bucket = cell_hash(cell) & mask;
         for (std::uint32_t e = begins_[bucket]; e < begins_[bucket + 1]; ++e) {
             const Entry& entry = entries_[e];
-            const double distance2 = (entry.position - place).squaredNorm();
+            const double distance2 = (entry.position - position).squaredNorm();
             if (entry.strand == strand || !(distance2 <= radius * radius)) continue;
             offer({distance2, entry.point, entry.strand});
         }

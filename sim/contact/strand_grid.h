@@ -46,7 +46,7 @@ class StrandGrid {
     };
     void sort_into_buckets(std::span<const Vec3> points,
                            std::span<const std::uint32_t> strands, double cell);
-    std::uint32_t search(const Vec3& place, std::uint32_t strand, double radius,
+    std::uint32_t search(const Vec3& position, std::uint32_t strand, double radius,
                          StrandNeighbour* out) const;
 
     double cell_ = 0;                          ///< cm, how wide a cell is

@@ -10,7 +10,7 @@
 namespace lancret {
 
 std::vector<double> rod_frequencies(const HangingRod& rod, const Eigen::VectorXd& q,
-                                    std::size_t most) {
+                                    std::size_t max_count) {
     using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
     const Solver stiffness(scaled_hessian(rod, rod_hessian(rod, q)));
     const Eigen::VectorXd& rates = stiffness.eigenvalues();
@@ -38,9 +38,9 @@ std::vector<double> rod_frequencies(const HangingRod& rod, const Eigen::VectorXd
     stiff = (soft.asDiagonal() * stiff * soft.asDiagonal()).eval();
     const Eigen::VectorXd periods = Solver(stiff, Eigen::EigenvaluesOnly).eigenvalues();
 
-    std::vector<double> out(std::min<std::size_t>(most, slack), 0.);
+    std::vector<double> out(std::min<std::size_t>(max_count, slack), 0.);
     // Round-off of the singular M is 1e-16 of the largest.
-    for (Eigen::Index i = rest; i-- > 0 && out.size() < most;) {
+    for (Eigen::Index i = rest; i-- > 0 && out.size() < max_count;) {
         if (!(periods(i) > 1e-13 * periods(rest - 1))) break;
         out.push_back(1 / std::sqrt(periods(i)));
     }

@@ -14,6 +14,6 @@ namespace lancret {
 /// without stiffness have frequency 0. At most `most`. Throws std::invalid_argument where
 /// q is no minimum.
 std::vector<double> rod_frequencies(const HangingRod& rod, const Eigen::VectorXd& q,
-                                    std::size_t most);
+                                    std::size_t max_count);
 
 }  // namespace lancret

@@ -16,7 +16,7 @@ std::size_t step_count(const ReleaseSettings& settings) {
             "release_rod: duration and step must be above 0, and "
             "no more than 10^8 steps");
     }
-    if (settings.most_samples < 2 || settings.shapes < 2) {
+    if (settings.max_samples < 2 || settings.shapes < 2) {
         throw std::invalid_argument("release_rod: two samples and shapes at least");
     }
     return std::max<std::size_t>(std::size_t(count), 1);
@@ -28,7 +28,7 @@ StepSettings to_round_off(Integrator integrator) {
     StepSettings out;
     out.integrator = integrator;
     out.tolerance = 1e-11;
-    out.most_iterations = 60;
+    out.max_iterations = 60;
     return out;
 }
 
@@ -57,11 +57,11 @@ RodRelease release_rod(const HangingRod& hanging, const ReleaseSettings& setting
     const double first = out.samples.front().total();
     double before = first;
     const std::size_t stride =
-        (count + settings.most_samples - 2) / (settings.most_samples - 1);
+        (count + settings.max_samples - 2) / (settings.max_samples - 1);
     for (std::size_t i = 1; i <= count; ++i) {
         const StepReport report =
-            stepper.step(rod, forces, settings.stepping, root, hanging.root, eps,
-                         curvatures, rates, past);
+            stepper.step(rod, forces, settings.stepping,
+                         {root, hanging.root, eps, curvatures, rates, past});
         if (!report.solved) return out;
         for (std::size_t q = 0; q < curvatures.size(); ++q) {
             out.q.segment<3>(3 * q) = curvatures[q];

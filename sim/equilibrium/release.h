@@ -15,8 +15,8 @@ struct ReleaseSettings {
     double duration = 1;  ///< s, > 0
     double step = 1e-3;   ///< s, > 0; made a little shorter where it does not divide
     StepSettings stepping = to_round_off(Integrator::bdf2);
-    std::size_t most_samples = 1000;  ///< of the energy, at least 2
-    int shapes = 9;                   ///< kept, at equal times, the first and last too
+    std::size_t max_samples = 1000;  ///< of the energy, at least 2
+    int shapes = 9;                  ///< kept, at equal times, the first and last too
 };
 
 struct ReleaseSample {

@@ -18,7 +18,7 @@ std::vector<Vec3> sag_free_natural(const HelixState<double>& root,
     PointVectors targets;
     std::vector<Vec3> joints, out(lengths.size());
     // Springs of strength rho S to places that lie g further pull by the weight.
-    point_places(lengths, root, curvatures, layout, targets, joints);
+    point_positions(lengths, root, curvatures, layout, targets, joints);
     for (int i = 0; i < layout.size(); ++i) targets.set(i, targets.get(i) + gravity);
     RodSystem system;
     system.linearize(root, lengths, curvatures, layout, targets, section.linear_density);

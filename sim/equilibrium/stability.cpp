@@ -34,13 +34,13 @@ double eigenvalue_zero(const RodBranch& from, const RodBranch& to) {
 
 }  // namespace
 
-std::vector<StabilityChange> stability_changes(const HangingRod& rod, double most,
+std::vector<StabilityChange> stability_changes(const HangingRod& rod, double max_weight,
                                                std::size_t count) {
     std::vector<StabilityChange> out;
     RodBranch branch(rod), before = branch;
     if (weight_number(rod) == 0 || count == 0) return out;
     double fold = 0;
-    walk_branch(branch, rod, most, 0.1, [&](WalkEvent event) {
+    walk_branch(branch, rod, max_weight, 0.1, [&](WalkEvent event) {
         const bool stable = branch.hessian_is_positive();
         if (event == WalkEvent::fold) {
             fold = branch.weight();
@@ -58,12 +58,6 @@ std::vector<StabilityChange> stability_changes(const HangingRod& rod, double mos
     });
     if (out.size() > count) out.resize(count);
     return out;
-}
-
-std::optional<double> critical_weight(const HangingRod& rod, double most) {
-    const std::vector<StabilityChange> changes = stability_changes(rod, most, 1);
-    if (changes.empty()) return std::nullopt;
-    return changes[0].weight;
 }
 
 }  // namespace lancret

@@ -1,7 +1,6 @@
 #pragma once
 // At what weight a hanging rod buckles.
 
-#include <optional>
 #include <vector>
 
 #include "sim/rod/energy.h"
@@ -19,10 +18,7 @@ struct StabilityChange {
 /// 1e-9 of the weight, at a fold to 1e-6. At most `count` of them. A change that is taken
 /// back within 10 % of the weight may be missed. Throws std::invalid_argument as
 /// check_rod does.
-std::vector<StabilityChange> stability_changes(const HangingRod& rod, double most,
+std::vector<StabilityChange> stability_changes(const HangingRod& rod, double max_weight,
                                                std::size_t count);
-
-/// The first of them at which stability is lost; none up to `most`.
-std::optional<double> critical_weight(const HangingRod& rod, double most);
 
 }  // namespace lancret

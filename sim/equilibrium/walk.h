@@ -17,7 +17,7 @@ enum class WalkEvent {
 /// event until it says false. No step is longer than `growth` times the weight, so that
 /// nothing shorter is missed; infinity lets the steps grow as they may. False where the
 /// walk did not get there: visit ended it, or it took more than 5000 steps or 100 snaps.
-bool walk_branch(RodBranch& branch, const HangingRod& rod, double most, double growth,
-                 const std::function<bool(WalkEvent)>& visit);
+bool walk_branch(RodBranch& branch, const HangingRod& rod, double max_weight,
+                 double growth, const std::function<bool(WalkEvent)>& visit);
 
 }  // namespace lancret

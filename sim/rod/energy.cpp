@@ -1,6 +1,8 @@
 #include "sim/rod/energy.h"
 
+#include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "sim/rod/panels.h"
 #include "sim/segment/kernel.h"
@@ -10,7 +12,7 @@ namespace lancret {
 
 namespace {
 
-/// Of one segment, told in the frame at its start.
+/// Integrals over one segment, in the frame at its start.
 struct SegmentIntegrals {
     Vec3 position = Vec3::Zero();  ///< int p du, cm^2
     Mat3 jacobian = Mat3::Zero();  ///< int J du, cm^3
@@ -40,12 +42,17 @@ SegmentIntegrals segment_integrals(const Vec3& k, double length, const Vec3& for
     return out;
 }
 
-/// The second derivatives within a segment: its own points, and the turning of all that
-/// lies beyond it, of length `beyond` and first moment `moment` (cm^2) about its end.
-/// All in the frame at the segment's start; f is the weight of a unit of length.
-Mat3 own_block(const SegmentIntegrals& own, const HelixStepDerivative& step,
-               const Vec3& k, double length, double beyond, const Vec3& moment,
-               const Vec3& f) {
+/// The part of a rod beyond a segment, relative to the segment's end.
+struct Beyond {
+    double length = 0;           ///< cm
+    Vec3 moment = Vec3::Zero();  ///< first moment, cm^2
+};
+
+/// The second derivatives with respect to one segment's curvatures: from its own points
+/// and from the turning of everything beyond it. All in the frame at the segment's
+/// start; f is the weight per unit of length.
+Mat3 diagonal_block(const SegmentIntegrals& integrals, const HelixStepDerivative& step,
+                    const Vec3& k, double length, const Beyond& beyond, const Vec3& f) {
     const SegmentSecondDerivative end(k, length);
     Mat3 block;
     for (int a = 0; a < 3; ++a) {
@@ -53,10 +60,11 @@ Mat3 own_block(const SegmentIntegrals& own, const HelixStepDerivative& step,
             const Vec3 ea = Vec3::Unit(a), eb = Vec3::Unit(b);
             // r = r_end + rho beyond; phi_a = V e_a is its turn for k_a.
             const Vec3 twice =
-                end.angular(eb, ea).cross(moment) +
-                step.angular.col(a).cross(step.angular.col(b).cross(moment));
+                end.angular(eb, ea).cross(beyond.moment) +
+                step.angular.col(a).cross(step.angular.col(b).cross(beyond.moment));
             block(a, b) = block(b, a) =
-                -own.second(a, b) - f.dot(twice + beyond * end.position(ea, eb));
+                -integrals.second(a, b) -
+                f.dot(twice + beyond.length * end.position(ea, eb));
         }
     }
     return block;
@@ -65,24 +73,28 @@ Mat3 own_block(const SegmentIntegrals& own, const HelixStepDerivative& step,
 }  // namespace
 
 void check_rod(const HangingRod& rod) {
-    const auto fail = [](const char* why) { throw std::invalid_argument(why); };
-    if (rod.lengths.empty()) fail("HangingRod: has no segment");
-    if (rod.natural.size() != rod.lengths.size())
-        fail("HangingRod: has not one natural curvature a segment");
-    for (const double l : rod.lengths)
-        if (!(l > 0 && std::isfinite(l))) fail("HangingRod: a length is above 0");
-    for (const Vec3& k : rod.natural)
-        if (!k.allFinite()) fail("HangingRod: a natural curvature is not finite");
+    const auto check = [](bool good, const char* expected) {
+        if (!good) throw std::invalid_argument(std::string("HangingRod: ") + expected);
+    };
+    check(!rod.lengths.empty(), "expected at least one segment");
+    check(rod.natural.size() == rod.lengths.size(),
+          "expected one natural curvature per segment");
+    for (const double l : rod.lengths) {
+        check(l > 0 && std::isfinite(l), "lengths must be finite and above 0");
+    }
+    for (const Vec3& k : rod.natural) {
+        check(k.allFinite(), "natural curvatures must be finite");
+    }
     const RodSection& section = rod.section;
-    if (!(section.stiffness.minCoeff() > 0) || !section.stiffness.allFinite() ||
-        !(section.linear_density > 0) || !std::isfinite(section.linear_density))
-        fail("HangingRod: a stiffness or the density is not above 0");
+    check(section.stiffness.minCoeff() > 0 && section.stiffness.allFinite() &&
+              section.linear_density > 0 && std::isfinite(section.linear_density),
+          "stiffness and density must be finite and above 0");
     const Mat3& frame = rod.root.frame;
     const Mat3 gram = frame.transpose() * frame - Mat3::Identity();
-    if (!(gram.norm() < 1e-9) || !(frame.determinant() > 0))
-        fail("HangingRod: the root frame is not a rotation");
-    if (!rod.gravity.allFinite() || !rod.root.position.allFinite())
-        fail("HangingRod: gravity or the root is not finite");
+    check(gram.norm() < 1e-9 && frame.determinant() > 0,
+          "the root frame must be a rotation");
+    check(rod.gravity.allFinite() && rod.root.position.allFinite(),
+          "gravity and the root must be finite");
 }
 
 double rod_length(const HangingRod& rod) {
@@ -142,16 +154,16 @@ void gravity_terms(const HangingRod& rod, const Eigen::VectorXd& q, Derivatives 
         const Mat3& frame = joints[i].frame;
         const Vec3 k = q.segment<3>(3 * i), f = frame.transpose() * force;
         const double length = rod.lengths[i];
-        const SegmentIntegrals own = segment_integrals(k, length, f, order);
+        const SegmentIntegrals integrals = segment_integrals(k, length, f, order);
         if (order != Derivatives::none) {
             const HelixStepDerivative step = helix_step_derivative(k, length);
             const Vec3 arm = frame.transpose() * moment;
-            Mat3 pull = own.jacobian + beyond * step.position;
+            Mat3 pull = integrals.jacobian + beyond * step.position;
             for (int a = 0; a < 3; ++a) pull.col(a) += step.angular.col(a).cross(arm);
             out.gradient.segment<3>(3 * i) = -pull.transpose() * f;
             if (order == Derivatives::second) {
                 out.hessian.block<3, 3>(3 * i, 3 * i) =
-                    own_block(own, step, k, length, beyond, arm, f);
+                    diagonal_block(integrals, step, k, length, {beyond, arm}, f);
                 const auto later = Eigen::seqN(3 * (i + 1), 3 * (segments - i - 1));
                 for (int a = 0; a < 3; ++a) {
                     const Vec3 turned = frame * f.cross(step.angular.col(a));
@@ -164,17 +176,10 @@ void gravity_terms(const HangingRod& rod, const Eigen::VectorXd& q, Derivatives 
             }
         }
         const Vec3 chord = joints[i + 1].position - joints[i].position;
-        moment += frame * own.position + beyond * chord;
+        moment += frame * integrals.position + beyond * chord;
         beyond += length;
     }
     out.energy = -force.dot(moment);
-}
-
-Eigen::VectorXd rod_gradient(const HangingRod& rod, const Eigen::VectorXd& q) {
-    GravityTerms gravity;
-    gravity_terms(rod, q, Derivatives::first, gravity);
-    return stiffness_diagonal(rod).cwiseProduct(q - natural_curvatures(rod)) +
-           gravity.gradient;
 }
 
 Eigen::MatrixXd rod_hessian(const HangingRod& rod, const Eigen::VectorXd& q) {

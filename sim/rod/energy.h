@@ -63,8 +63,7 @@ enum class Derivatives { none, first, second };
 void gravity_terms(const HangingRod& rod, const Eigen::VectorXd& q, Derivatives order,
                    GravityTerms& out);
 
-/// dE/dq and d2E/dq2, for their own sake; whoever needs both asks for gravity_terms.
-Eigen::VectorXd rod_gradient(const HangingRod& rod, const Eigen::VectorXd& q);
+/// d2E/dq2 of the whole energy.
 Eigen::MatrixXd rod_hessian(const HangingRod& rod, const Eigen::VectorXd& q);
 
 }  // namespace lancret

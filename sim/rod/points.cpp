@@ -28,7 +28,7 @@ struct Joint {
                            double length) {
         const Mat3& frame = motion.pose.frame;
         const SegmentSecondDerivative second(k, length);
-        const Vec3 omega = motion.angular_velocity, d = frame * end.place;
+        const Vec3 omega = motion.angular_velocity, d = frame * end.position;
         const Vec3 relative = frame * (end.jacobian * rates);
         motion.acceleration += motion.angular_acceleration.cross(d) +
                                omega.cross(omega.cross(d) + 2 * relative) +
@@ -41,7 +41,7 @@ struct Joint {
   private:
     /// Moves the velocity on and gives the displacement.
     Vec3 move_velocity(const SegmentEnd& end, const Vec3& rates) {
-        const Vec3 d = motion.pose.frame * end.place;
+        const Vec3 d = motion.pose.frame * end.position;
         motion.velocity +=
             motion.angular_velocity.cross(d) + motion.pose.frame * (end.jacobian * rates);
         return d;
@@ -71,15 +71,15 @@ void PointLayout::lay_out(std::span<const double> lengths,
     }
 }
 
-void point_places(std::span<const double> lengths, const HelixState<double>& root,
-                  std::span<const Vec3> curvatures, const PointLayout& layout,
-                  PointVectors& places, std::vector<Vec3>& joints) {
-    places.resize(layout.size());
+void point_positions(std::span<const double> lengths, const HelixState<double>& root,
+                     std::span<const Vec3> curvatures, const PointLayout& layout,
+                     PointVectors& positions, std::vector<Vec3>& joints) {
+    positions.resize(layout.size());
     joints.resize(lengths.size());
     HelixState<double> joint = root;
     for (int q = 0; q < layout.segments(); ++q) {
-        segment_places(quadrature(lengths[q], curvatures[q], layout, joint, q),
-                       places.at(layout.first(q)), places.stride());
+        segment_positions(quadrature(lengths[q], curvatures[q], layout, joint, q),
+                          positions.at(layout.first(q)), positions.stride());
         advance<double>(joint, curvatures[q], lengths[q]);
         joints[q] = joint.position;
     }

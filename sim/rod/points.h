@@ -51,9 +51,9 @@ class PointVectors {
 
 /// Places of all points, cm, and of the joints from the end of the first segment to the
 /// tip. Resizes both.
-void point_places(std::span<const double> lengths, const HelixState<double>& root,
-                  std::span<const Vec3> curvatures, const PointLayout& layout,
-                  PointVectors& places, std::vector<Vec3>& joints);
+void point_positions(std::span<const double> lengths, const HelixState<double>& root,
+                     std::span<const Vec3> curvatures, const PointLayout& layout,
+                     PointVectors& positions, std::vector<Vec3>& joints);
 
 /// Velocities of all points and of those joints, cm/s. Resizes both.
 void point_velocities(const Rod& rod, const RodState& state, const PointLayout& layout,

@@ -76,12 +76,12 @@ void RodSystem::linearize(const HelixState<double>& root, std::span<const double
         quadrature.length = lengths[std::size_t(q)];
         quadrature.points = layout.points(q);
         quadrature.targets = targets.targets(layout.first(q));
-        half_square_ += segment_blocks(quadrature, weight * quadrature.length, s);
+        half_square_ += integrate_segment(quadrature, weight * quadrature.length, s);
 
         const SegmentEnd end = segment_end(quadrature.darboux, quadrature.length);
         Vec3::Map(s.darboux) = quadrature.darboux;
         s.length = quadrature.length;
-        Vec3::Map(s.offset) = quadrature.frame * end.place;
+        Vec3::Map(s.offset) = quadrature.frame * end.position;
         Mat3::Map(s.turn) = quadrature.frame * end.angular;
         Mat3::Map(s.move) = quadrature.frame * end.jacobian;
         quadrature.start += Vec3::Map(s.offset);
@@ -100,7 +100,7 @@ RodSystem::Point RodSystem::point(int segment, double u) const {
 
 void RodSystem::add(const Point& point, const Mat3& stiffness, const Vec3& force) {
     View s(segments_[std::size_t(point.segment)]);
-    const Vec3 r = point.place - s.start;
+    const Vec3 r = point.position - s.start;
     const Mat3 pulled = stiffness * point.jacobian, turned = crossed(r, stiffness);
     s.gram += point.jacobian.transpose() * pulled;
     s.force += pulled;

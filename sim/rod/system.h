@@ -36,7 +36,7 @@ class RodSystem {
     /// A point of the rod and how it answers to the curvatures of its own segment.
     struct Point {
         int segment;
-        Vec3 place;     ///< in space, cm
+        Vec3 position;  ///< in space, cm
         Mat3 jacobian;  ///< in space, cm^2
     };
     /// The point at arc length u (cm) from the start of a segment.

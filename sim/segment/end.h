@@ -9,7 +9,7 @@ namespace lancret {
 /// The end of a segment, in the frame at its start.
 struct SegmentEnd {
     Mat3 rotation;  ///< E
-    Vec3 place;     ///< p(l), cm
+    Vec3 position;  ///< p(l), cm
     Mat3 angular;   ///< V: dk turns the end by the rotation vector V dk, cm
     Mat3 jacobian;  ///< J = dp/dk, cm^2
 };
@@ -27,7 +27,7 @@ inline SegmentEnd segment_end(const Vec3& k, double length) {
     out.rotation.diagonal().array() += 1 - c.c2 * x;
     out.angular = a2 * turn + a3 * outer;
     out.angular.diagonal().array() += length - a3 * k.squaredNorm();
-    out.place = Vec3::Map(p);
+    out.position = Vec3::Map(p);
     out.jacobian =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&j[0][0]);
     return out;

@@ -52,8 +52,8 @@ struct SegmentLoops {
     /// [segments][3].
     void (*solve)(SegmentBlock*, int segments, const double* diagonal, const double* load,
                   double* x);
-    void (*places)(const SegmentLoop&, const RateVectors&, double* out,
-                   std::size_t stride);
+    void (*positions)(const SegmentLoop&, const RateVectors&, double* out,
+                      std::size_t stride);
     void (*velocities)(const SegmentLoop&, const RateVectors&, const StartMotion&,
                        double* out, std::size_t stride);
     void (*bias)(const SegmentLoop&, const RateVectors&, const StartMotion&, double* out,

@@ -69,7 +69,7 @@ Lanes square_of_curvature(const SegmentLoop& s) {
 }
 
 /// p at arc length u.
-Vec3L place(const RateVectors& r, const Lanes& u, const Stumpff<Lanes>& c) {
+Vec3L position(const RateVectors& r, const Lanes& u, const Stumpff<Lanes>& c) {
     const Lanes a2 = u * u * c.c2, a3 = u * u * u * c.c3;
     return {u + a3 * Lanes(r.square[0]), a2 * Lanes(r.turn[1]) + a3 * Lanes(r.square[1]),
             a2 * Lanes(r.turn[2]) + a3 * Lanes(r.square[2])};
@@ -135,13 +135,13 @@ void sums(const SegmentLoop& segment, double* out) {
     }
 }
 
-void places(const SegmentLoop& segment, const RateVectors& fixed, double* out,
-            std::size_t stride) {
+void positions(const SegmentLoop& segment, const RateVectors& fixed, double* out,
+               std::size_t stride) {
     const Lanes square = square_of_curvature(segment);
     for (int i = 0; i < segment.points; i += Lanes::kCount) {
         const Lanes u = arc(segment, i);
         const auto c = stumpff_functions<Lanes>(u * u * square, segment.halvings);
-        store(spread(segment.start) + turned(segment.frame, place(fixed, u, c)), out,
+        store(spread(segment.start) + turned(segment.frame, position(fixed, u, c)), out,
               stride, i);
     }
 }
@@ -152,7 +152,7 @@ void velocities(const SegmentLoop& segment, const RateVectors& rates,
     for (int i = 0; i < segment.points; i += Lanes::kCount) {
         const Lanes u = arc(segment, i);
         const auto c = stumpff_functions<Lanes>(u * u * square, segment.halvings);
-        const Vec3L d = turned(segment.frame, place(rates, u, c));
+        const Vec3L d = turned(segment.frame, position(rates, u, c));
         const Vec3L relative = turned(segment.frame, relative_velocity(rates, u, c));
         store(
             spread(start.velocity) + cross(spread(start.angular_velocity), d) + relative,
@@ -168,7 +168,7 @@ void bias(const SegmentLoop& segment, const RateVectors& rates, const StartMotio
         const Lanes u = arc(segment, i);
         StumpffTail<Lanes> tail;
         const auto c = stumpff_functions<Lanes>(u * u * square, segment.halvings, tail);
-        const Vec3L d = turned(segment.frame, place(rates, u, c));
+        const Vec3L d = turned(segment.frame, position(rates, u, c));
         const Vec3L relative = turned(segment.frame, relative_velocity(rates, u, c));
         const Vec3L own = turned(segment.frame, relative_bias(rates, u, c, tail));
         store(spread(start.acceleration) + cross(spread(start.angular_acceleration), d) +
@@ -177,7 +177,7 @@ void bias(const SegmentLoop& segment, const RateVectors& rates, const StartMotio
     }
 }
 
-constexpr SegmentLoops kLoops = {sums, to_space, solve, places, velocities, bias};
+constexpr SegmentLoops kLoops = {sums, to_space, solve, positions, velocities, bias};
 
 }  // namespace
 

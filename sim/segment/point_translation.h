@@ -16,7 +16,7 @@ struct TranslationSettings {
     int last_segment = std::numeric_limits<int>::max();
     Vec3 stiffness{0.6757, 1, 1};  ///< relative, against (k0, k1, k2)
     double tolerance = 1e-6;       ///< cm from the target at which it is reached
-    int most_iterations = 200;
+    int max_iterations = 200;
 };
 
 struct TranslationReport {

@@ -42,8 +42,8 @@ RateVectors rate_vectors(const Vec3& k, const Vec3& rate) {
 
 }  // namespace
 
-double segment_blocks(const SegmentQuadrature& segment, double weight,
-                      SegmentBlock& blocks) {
+double integrate_segment(const SegmentQuadrature& segment, double weight,
+                         SegmentBlock& blocks) {
     double sums[kSegmentSums + 1];  // room for a load of four numbers from the end
     loops().sums(loop_of(segment), sums);
     Mat3::Map(blocks.frame) = segment.frame;
@@ -57,10 +57,10 @@ void solve_recursion(std::span<SegmentBlock> segments, const double* diagonal,
     loops().solve(segments.data(), int(segments.size()), diagonal, load, x);
 }
 
-void segment_places(const SegmentQuadrature& segment, double* places,
-                    std::size_t stride) {
-    loops().places(loop_of(segment), rate_vectors(segment.darboux, Vec3::Zero()), places,
-                   stride);
+void segment_positions(const SegmentQuadrature& segment, double* positions,
+                       std::size_t stride) {
+    loops().positions(loop_of(segment), rate_vectors(segment.darboux, Vec3::Zero()),
+                      positions, stride);
 }
 
 void segment_velocities(const SegmentQuadrature& segment, const SegmentMotion& motion,

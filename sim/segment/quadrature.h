@@ -27,8 +27,8 @@ struct SegmentQuadrature {
 /// The integrals over a segment as blocks in space, without darboux, length and what the
 /// segment does to its end. `weight` is that of the whole segment. Gives
 /// weight |target - place|^2 / 2, averaged over the segment.
-double segment_blocks(const SegmentQuadrature& segment, double weight,
-                      SegmentBlock& blocks);
+double integrate_segment(const SegmentQuadrature& segment, double weight,
+                         SegmentBlock& blocks);
 
 /// The recursion of RodSystem::solve; `diagonal`, `load` and `x` are [segments][3].
 void solve_recursion(std::span<SegmentBlock> segments, const double* diagonal,
@@ -36,7 +36,8 @@ void solve_recursion(std::span<SegmentBlock> segments, const double* diagonal,
 
 /// Places of the points in space, cm, [3][points]: structure of arrays with the given
 /// stride between x, y and z.
-void segment_places(const SegmentQuadrature& segment, double* places, std::size_t stride);
+void segment_positions(const SegmentQuadrature& segment, double* positions,
+                       std::size_t stride);
 
 /// How the points of a segment move at an instant.
 struct SegmentMotion {

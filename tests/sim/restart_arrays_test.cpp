@@ -58,8 +58,9 @@ TEST(RestartArrays, AreRefusedWhereANumberCannotBe) {
     };
     for (const double level : {-1., 0.5, 21., 1e300}) refuses("halvings", 0, level);
     // A past: size, step, poses.
-    for (const double size : {-1., RodPast::kMax + 1., 1.5, 1e300})
+    for (const double size : {-1., RodPast::kMax + 1., 1.5, 1e300}) {
         refuses("past", 0, size);
+    }
     refuses("past", 1, 0);
     refuses("past", 1, -0.01);
     // An anchor: distance, body, triangle.

@@ -29,7 +29,7 @@ TEST(SimulationSteps, ImplicitEulerIsOfFirstOrderInSubstepsAndBdf2OfSecond) {
         turning.settings.adaptive = false;
         turning.settings.step.integrator = integrator;
         turning.settings.step.tolerance = 1e-11;
-        turning.settings.step.most_iterations = 60;
+        turning.settings.step.max_iterations = 60;
         Guides runs[3];
         for (int i = 0; i < 3; ++i) {
             turning.settings.substeps = coarsest << i;
@@ -46,7 +46,7 @@ TEST(SimulationSteps, ImplicitEulerIsOfFirstOrderInSubstepsAndBdf2OfSecond) {
 TEST(SimulationSteps, TakenStepsKeepTheErrorsTolerance) {
     Turning turning;
     turning.settings.substeps = 1;
-    turning.settings.most_halvings = 12;
+    turning.settings.max_halvings = 12;
     turning.settings.error_tolerance = 1e9;
     turning.after(6);
     const SimulationReport loose = turning.report;
@@ -62,7 +62,7 @@ TEST(SimulationSteps, TakenStepsKeepTheErrorsTolerance) {
         before = turning.report.steps;
     }
     // Where halvings do not suffice it is said.
-    turning.settings.most_halvings = 1;
+    turning.settings.max_halvings = 1;
     turning.after(6);
     EXPECT_GT(turning.report.largest_error, 0.001);
 }
@@ -74,7 +74,7 @@ TEST(SimulationSteps, ATighterToleranceComesNearerToTheLimit) {
     const Guides limit = turning.after(6);
     turning.settings.adaptive = true;
     turning.settings.substeps = 1;
-    turning.settings.most_halvings = 12;
+    turning.settings.max_halvings = 12;
     double before = 1e9;
     for (const double tolerance : {0.3, 0.02, 0.001}) {
         turning.settings.error_tolerance = tolerance;

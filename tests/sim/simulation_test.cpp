@@ -73,7 +73,8 @@ TEST(Simulation, GoesOnFromAnyFrameToTheSameBits) {
             EXPECT_EQ(parted.restart(), whole.restart()) << frame;
             EXPECT_EQ(parted.frame(), whole.frame());
             anchors = std::max(anchors, touching(whole.restart()));
-            for (const double level : whole.restart().at("halvings")) halved += level > 0;
+            const RestartArrays arrays = whole.restart();
+            for (const double level : arrays.at("halvings")) halved += level > 0;
         }
         // Or this would say little.
         EXPECT_GE(anchors, 3);
@@ -173,10 +174,10 @@ TEST(Simulation, RefusesWhatMakesNoSense) {
     refuses([=](S& s) { s.error_tolerance = nan; });
     refuses([](S& s) { s.substeps = 0; });
     refuses([](S& s) { s.substeps = 1001; });
-    refuses([](S& s) { s.most_halvings = 21; });
+    refuses([](S& s) { s.max_halvings = 21; });
     refuses([](S& s) { s.contact.stations = 0; });
     refuses([](S& s) { s.contact.stations = 33; });
-    refuses([](S& s) { s.step.most_iterations = 0; });
+    refuses([](S& s) { s.step.max_iterations = 0; });
     refuses([](S& s) { s.wind.mean.x() = 1e10; });
 
     const auto refuses_scene = [&](const Guides& rest, SimulationScene scene, double at) {

@@ -120,7 +120,7 @@ struct BusyScene {
         settings.strand_contact = {0.2, 20, 0.1, 0.05, 2};
         settings.error_tolerance = 0.02;
         settings.substeps = 2;
-        settings.most_halvings = 3;
+        settings.max_halvings = 3;
     }
     Simulation simulation() const {
         SimulationScene scene = scene_of(guides, keys);

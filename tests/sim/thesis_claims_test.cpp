@@ -150,7 +150,7 @@ struct SweepResult {
     int runs = 0, steps = 0, unsolved = 0, grew = 0, unfinished = 0, unconverged = 0;
     int heavy_runs = 0, heavy_grew = 0;  ///< those of gamma above kHeavy
     double largest_rise = 0, heavy_rise = 0;
-    double least_gamma = 1e300, most_gamma = 0;
+    double min_gamma = 1e300, max_gamma = 0;
 };
 
 /// Releases one hair for nine steps, with the recursion, Cholesky and LDL^T in turn.
@@ -186,8 +186,8 @@ void sweep_one(const HangingRod& rod, double eps, SweepResult& out) {
         (excused ? out.heavy_grew : out.grew) += rise > 1e-11;
         before = total;
     }
-    out.least_gamma = std::min(out.least_gamma, gamma);
-    out.most_gamma = std::max(out.most_gamma, gamma);
+    out.min_gamma = std::min(out.min_gamma, gamma);
+    out.max_gamma = std::max(out.max_gamma, gamma);
 }
 
 /// Every `stride`-th of 10,000 combinations of density, damping, Young's modulus, radius,
@@ -219,9 +219,9 @@ SweepResult sweep(int stride) {
         "finite, {} gained energy (largest rise {:.1e} of the energies), {} ended "
         "above the tolerance; of those, of the {} hairs above gamma 1e4, {} gained "
         "energy, up to {:.1e}\n",
-        out.runs, out.steps, out.least_gamma, out.most_gamma, out.unsolved,
-        out.unfinished, out.grew, out.largest_rise, out.unconverged, out.heavy_runs,
-        out.heavy_grew, out.heavy_rise);
+        out.runs, out.steps, out.min_gamma, out.max_gamma, out.unsolved, out.unfinished,
+        out.grew, out.largest_rise, out.unconverged, out.heavy_runs, out.heavy_grew,
+        out.heavy_rise);
     return out;
 }
 

@@ -24,7 +24,7 @@ struct Place {
 };
 
 /// Uniform over ranges of hundreds of the largest wavelength and period.
-Place random_place(std::mt19937& random) {
+Place random_sample(std::mt19937& random) {
     std::uniform_real_distribution<double> coordinate(-5000, 5000), time(0, 100);
     return {{coordinate(random), coordinate(random), coordinate(random)}, time(random)};
 }
@@ -42,7 +42,7 @@ TEST(Wind, MeanAndStrengthAreAsAsked) {
         double strength = 0, fourth = 0;
         constexpr int kCount = 10000;
         for (int i = 0; i < kCount; ++i) {
-            const auto [x, t] = random_place(random);
+            const auto [x, t] = random_sample(random);
             const Vec3 v = wind_velocity(wind, x, t) - settings.mean;
             sum += v;
             squares += v.cwiseAbs2();
@@ -88,7 +88,7 @@ TEST(Wind, HasNoDivergence) {
     for (const WindWave& w : wind.waves) amplitudes += w.amplitude.norm();
     const double tolerance = amplitudes * (h * h * k * k * k / 6 + 4e-12 / h);
     for (int i = 0; i < 200; ++i) {
-        const auto [x, t] = random_place(random);
+        const auto [x, t] = random_sample(random);
         double divergence = 0;
         for (int c = 0; c < 3; ++c) {
             const Vec3 step = h * Vec3::Unit(c);

@@ -95,10 +95,12 @@ TEST(BadRodOption, IsNamedInOneLine) {
     };
     for (const char* gamma : {"-1", "nan", "inf", "1e7", "ten"}) says("--gamma", gamma);
     for (const char* count : {"0", "201", "2.5"}) says("--segments", count);
-    for (const char* natural : {"1,2", "1,2,3,4", "nan,0,0", "0,0,1e5"})
+    for (const char* natural : {"1,2", "1,2,3,4", "nan,0,0", "0,0,1e5"}) {
         says("--natural", natural);
-    for (const char* tangent : {"0,0,0", "inf,0,0", "1,,0"})
+    }
+    for (const char* tangent : {"0,0,0", "inf,0,0", "1,,0"}) {
         says("--root-tangent", tangent);
+    }
     for (const char* normal : {"1,0,0", "-2,0,0", "0,0,0"}) says("--root-normal", normal);
     for (const char* ratio : {"0", "-1", "nan"}) {
         says("--torsion-ratio", ratio);

@@ -105,7 +105,7 @@ TEST(Simulate, ALongerRunGoesOnFromAFinishedOne) {
     ASSERT_THAT(f.simulate("1-8", f.cache), works());
     const CommandRun more = f.simulate("1-16", f.cache);
     ASSERT_THAT(more, works());
-    EXPECT_THAT(more.err, HasSubstr("goes on after frame 8"));
+    EXPECT_THAT(more.err, HasSubstr("continuing after frame 8"));
     EXPECT_THAT(more.out, HasSubstr("8 simulated"));
     EXPECT_EQ(read_bytes(f.cache), read_bytes(whole));
     // The same again, and a shorter one, change nothing.

@@ -139,7 +139,7 @@ void draw_energy(Image& image, const Frame& frame, const RodRelease& release) {
 void write_release_plot(const std::filesystem::path& path, const RodReport& report,
                         const RodRelease& release) {
     std::vector<Stroke> strokes;
-    strokes.push_back({points_of(report.rod, report.hung.q), 2, kRed});
+    strokes.push_back({points_of(report.rod, report.equilibrium.q), 2, kRed});
     const std::size_t count = release.shapes.size();
     for (std::size_t i = 0; i < count; ++i) {
         const float age = 1 - float(i + 1) / float(count);
@@ -180,7 +180,7 @@ void write_rod_plot(const std::filesystem::path& path, const RodReport& report) 
     Image image =
         draw_shapes(report.rod.root.frame,
                     {{points_of(report.rod, natural_curvatures(report.rod)), 2, kGrey},
-                     {points_of(report.rod, report.hung.q), 4, kInk}},
+                     {points_of(report.rod, report.equilibrium.q), 4, kInk}},
                     0);
     draw_title(image, report, "");
     write_image(path, image, Vec3f(1, 1, 1));

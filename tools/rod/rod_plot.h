@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "tools/rod/rod_report.h"
+#include "tools/rod/report.h"
 
 namespace lancret {
 

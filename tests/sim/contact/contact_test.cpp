@@ -46,7 +46,7 @@ struct Touching {
     StrandContactSettings strands;
     std::vector<ContactAnchor> anchors;
     std::vector<double> allowed;
-    std::vector<Vec3> places;
+    std::vector<Vec3> positions;
     std::vector<StrandNear> near;
     std::vector<std::uint8_t> counts;
 
@@ -67,7 +67,7 @@ struct Touching {
         allowed.assign(s.size(), 0);
         sample(SuperHelix{rod.root.pose, rod.lengths, rod.curvatures}, s,
                [&](std::size_t, auto, const auto& state) {
-                   places.push_back(state.position);
+                   positions.push_back(state.position);
                });
     }
 
@@ -77,12 +77,12 @@ struct Touching {
         layout.lay_out(rod.lengths, q);
         PointVectors targets;
         std::vector<Vec3> joints;
-        point_places(rod.lengths, rod.root.pose, q, layout, targets, joints);
+        point_positions(rod.lengths, rod.root.pose, q, layout, targets, joints);
         RodSystem system;  // whose own springs are at rest, and of strength 0
         system.linearize(rod.root.pose, rod.lengths, q, layout, targets, 0);
         std::vector<ContactAnchor> kept = anchors;
         RodContact contact(colliders, settings, strands);
-        contact.begin({rod.lengths, kept, allowed, places, near, counts, {}}, 0.01);
+        contact.begin({rod.lengths, kept, allowed, positions, near, counts, {}}, 0.01);
         const double out = contact.add_to(system, 1);
         if (force) {
             force->resize(q.size());
@@ -122,9 +122,9 @@ void hold(Touching& t, double slide, double pressure) {
     std::mt19937_64 random(9);
     for (std::size_t i = 0; i < t.anchors.size(); ++i) {
         ContactAnchor& anchor = t.anchors[i];
-        anchor.body = t.colliders.nearest(t.places[i], 10);
+        anchor.body = t.colliders.nearest(t.positions[i], 10);
         const Vec3 n = anchor.body.normal, x = random_vector(random, slide);
-        anchor.place = t.places[i] + x - n * n.dot(x);
+        anchor.position = t.positions[i] + x - n * n.dot(x);
         anchor.pressure = pressure;
     }
 }
@@ -132,7 +132,7 @@ void hold(Touching& t, double slide, double pressure) {
 TEST(RodContact, ForceOnABodyIsTheSlopeOfItsEnergy) {
     for (int seed = 0; seed < 6; ++seed) {
         Touching sphere(seed), box(seed);
-        const Vec3 tip = sphere.places.back();
+        const Vec3 tip = sphere.positions.back();
         const Vec3 centre = tip + Vec3(0.3, 0.2, 0.1);  // in none of the stations
         sphere.colliders.add(Capsule{centre, centre, 0.6});
         box.colliders.add(box_mesh({9, 9, 9}), {Mat3::Identity(), tip - Vec3(9, 0, 0)});
@@ -150,14 +150,14 @@ TEST(RodContact, ForceOnABodyIsTheSlopeOfItsEnergy) {
 
 TEST(RodContact, WhatTheGroomLiesInDoesNotPush) {
     Touching t(1);
-    t.colliders.add(Capsule{t.places.back(), t.places.back(), 0.6});
-    for (std::size_t i = 0; i < t.places.size(); ++i) {
+    t.colliders.add(Capsule{t.positions.back(), t.positions.back(), 0.6});
+    for (std::size_t i = 0; i < t.positions.size(); ++i) {
         t.allowed[i] = std::max(
-            0., t.settings.thickness - t.colliders.nearest(t.places[i], 1).distance);
+            0., t.settings.thickness - t.colliders.nearest(t.positions[i], 1).distance);
     }
     EXPECT_LT(t.energy(t.rod.curvatures), 1e-30);
     // And begins to where it goes deeper: to the last station's push along its own path.
-    t.rod.root.pose.position = t.places.back() - t.places[12];
+    t.rod.root.pose.position = t.positions.back() - t.positions[12];
     EXPECT_GT(t.energy(t.rod.curvatures), 1e-3);
 }
 
@@ -166,16 +166,16 @@ TEST(RodContact, ForceBetweenStrandsIsTheSlopeOfItsEnergy) {
         Touching t(seed);
         t.strands = {0.1, 20, 0.3, 0.02, 5};
         std::mt19937_64 random(seed);
-        t.near.resize(t.places.size() * RodContact::kMaxNear);
-        t.counts.assign(t.places.size(), 3);
+        t.near.resize(t.positions.size() * RodContact::kMaxNear);
+        t.counts.assign(t.positions.size(), 3);
         for (std::size_t i = 0; i < t.near.size(); ++i) {
             // From within touching to beyond the well of cohesion.
             const Vec3 way = random_vector(random, 1).normalized();
             const double away = 0.02 + 0.45 * double(i % 17) / 17;
-            t.near[i] = {t.places[i / RodContact::kMaxNear] + away * way,
+            t.near[i] = {t.positions[i / RodContact::kMaxNear] + away * way,
                          random_vector(random, 0.05), way.unitOrthogonal(), 0.5};
         }
-        for (Vec3& x : t.places) x += random_vector(random, 0.03);
+        for (Vec3& x : t.positions) x += random_vector(random, 0.03);
         t.expect_force_is_slope(1e-3);
     }
 }
@@ -183,13 +183,13 @@ TEST(RodContact, ForceBetweenStrandsIsTheSlopeOfItsEnergy) {
 TEST(RodContact, CohesionIsAWellThatDoesNotEndInACliff) {
     Touching t(2);
     t.strands = {0.1, 20, 0, 0, 5};
-    t.near.resize(t.places.size() * RodContact::kMaxNear);
-    t.counts.assign(t.places.size(), 0);
+    t.near.resize(t.positions.size() * RodContact::kMaxNear);
+    t.counts.assign(t.positions.size(), 0);
     t.counts[7] = 1;
     double before = -1;
     for (double away = 0.2; away < 0.5; away += 0.001) {
-        t.near[7 * RodContact::kMaxNear] = {t.places[7] + Vec3(0, 0, away), Vec3::Zero(),
-                                            Vec3::UnitX(), 1};
+        t.near[7 * RodContact::kMaxNear] = {t.positions[7] + Vec3(0, 0, away),
+                                            Vec3::Zero(), Vec3::UnitX(), 1};
         const double now = t.energy(t.rod.curvatures);
         // Rises all the way out, then stays.
         EXPECT_GE(now, before - 1e-15) << away;
@@ -203,14 +203,14 @@ TEST(RodContact, CohesionIsAWellThatDoesNotEndInACliff) {
 
 TEST(RodContact, AnAnchorIsDraggedNoFurtherThanFrictionHolds) {
     Touching t(4);
-    const Vec3 tip = t.places.back();
+    const Vec3 tip = t.positions.back();
     t.colliders.add(box_mesh({9, 9, 9}), {Mat3::Identity(), tip - Vec3(0, 0, 9 - 0.02)});
     PointLayout layout;
     layout.lay_out(t.rod.lengths, t.rod.curvatures);
     PointVectors targets;
     std::vector<Vec3> joints;
-    point_places(t.rod.lengths, t.rod.root.pose, t.rod.curvatures, layout, targets,
-                 joints);
+    point_positions(t.rod.lengths, t.rod.root.pose, t.rod.curvatures, layout, targets,
+                    joints);
     RodSystem system;
     system.linearize(t.rod.root.pose, t.rod.lengths, t.rod.curvatures, layout, targets,
                      1);
@@ -219,12 +219,12 @@ TEST(RodContact, AnAnchorIsDraggedNoFurtherThanFrictionHolds) {
     contact.end(system);
     ContactAnchor& last = t.anchors.back();
     ASSERT_TRUE(last.touches());
-    EXPECT_LT((last.place - tip).norm(), 1e-12);  // new: nothing pulls
+    EXPECT_LT((last.position - tip).norm(), 1e-12);  // new: nothing pulls
     // Pulled 1 cm away: mu p / k is left, in the plane of the surface.
-    last.place += Vec3(0.6, 0.8, 0.3);
+    last.position += Vec3(0.6, 0.8, 0.3);
     contact.end(system);
-    EXPECT_NEAR(last.place.z(), tip.z(), 1e-12);
-    EXPECT_NEAR((last.place - tip).norm(),
+    EXPECT_NEAR(last.position.z(), tip.z(), 1e-12);
+    EXPECT_NEAR((last.position - tip).norm(),
                 t.settings.friction * last.pressure / t.settings.stiffness, 1e-12);
     // Depth 0.12 of a thickness of 0.1 and 0.02 cm below the surface; the box is rounded
     // to float.
@@ -236,28 +236,29 @@ TEST(RodContact, RememberedDistancesChangeNothing) {
     // in each step, or only where something may have come near.
     for (const bool open : {false, true}) {
         Touching t(2);
-        const Vec3 tip = t.places.back();
+        const Vec3 tip = t.positions.back();
         TriangleMesh box = box_mesh({0.4, 0.4, 0.4});
         if (open) box.triangles.resize(box.triangles.size() - 2);  // a side is missing
         t.colliders.add(box, {Mat3::Identity(), tip});
         t.colliders.add(Capsule{Vec3::Zero(), Vec3::Zero(), 0.2});
-        std::vector<Clearance> clear(t.places.size());
+        std::vector<Clearance> clearances(t.positions.size());
         int touched = 0, skipped = 0;
         for (int step = 0; step < 200; ++step) {
             const double time = 0.05 * step;
             const Mat3 turn = helix_step<double>(Vec3(0, 0.3, 1), 0.4 * time).rotation;
             t.colliders.move(0, {turn, tip + Vec3(0.5 * std::sin(time), 0, 0)});
             t.colliders.move(1, {Mat3::Identity(), tip + Vec3(0, 3 * std::cos(time), 0)});
-            for (Vec3& k : t.rod.curvatures)
+            for (Vec3& k : t.rod.curvatures) {
                 k += Vec3(0, 0.02, -0.01) * std::cos(2 * time);
+            }
             double energies[2];
             for (const bool remember : {false, true}) {
                 PointLayout layout;
                 layout.lay_out(t.rod.lengths, t.rod.curvatures);
                 PointVectors targets;
                 std::vector<Vec3> joints;
-                point_places(t.rod.lengths, t.rod.root.pose, t.rod.curvatures, layout,
-                             targets, joints);
+                point_positions(t.rod.lengths, t.rod.root.pose, t.rod.curvatures, layout,
+                                targets, joints);
                 RodSystem system;
                 system.linearize(t.rod.root.pose, t.rod.lengths, t.rod.curvatures, layout,
                                  targets, 0);
@@ -265,9 +266,9 @@ TEST(RodContact, RememberedDistancesChangeNothing) {
                 RodContact::Strand strand{
                     t.rod.lengths, t.anchors, t.allowed, {}, {}, {}, {}};
                 if (remember) {
-                    strand.clear = clear;
+                    strand.clearances = clearances;
                     const double drift = t.colliders.drift();
-                    for (Clearance& c : clear) skipped += (c.distance -= drift) > 0;
+                    for (Clearance& c : clearances) skipped += (c.distance -= drift) > 0;
                 }
                 contact.begin(strand, 0.01);
                 energies[remember] = contact.add_to(system, 1);

@@ -121,8 +121,8 @@ TEST(StrandContact, NeighboursAreForeseenWithTheirVelocities) {
         ++found;
         const StrandNear& still = neighbours.near(0)[i * RodContact::kMaxNear];
         const StrandNear& now = moving.near(0)[i * RodContact::kMaxNear];
-        EXPECT_LT((now.move - Vec3(0, 0, 0.01)).norm(), 1e-14);
-        EXPECT_LT((now.place - still.place - now.move).norm(), 1e-14);
+        EXPECT_LT((now.displacement - Vec3(0, 0, 0.01)).norm(), 1e-14);
+        EXPECT_LT((now.position - still.position - now.displacement).norm(), 1e-14);
         EXPECT_LT((now.tangent - Vec3(0, 1, 0)).norm(), 1e-14);
         EXPECT_EQ(now.share, 0.5);
     }

@@ -13,7 +13,7 @@ namespace lancret {
 namespace {
 
 struct Points {
-    std::vector<Vec3> places;
+    std::vector<Vec3> positions;
     std::vector<std::uint32_t> strands;
 };
 
@@ -25,7 +25,7 @@ Points walks(int strands, int stations, double size, double step, unsigned seed)
     for (int s = 0; s < strands; ++s) {
         Vec3 p = size * Vec3(normal(random), normal(random), normal(random));
         for (int i = 0; i < stations; ++i) {
-            out.places.push_back(p);
+            out.positions.push_back(p);
             out.strands.push_back(std::uint32_t(s));
             p += step * Vec3(normal(random), normal(random), normal(random));
         }
@@ -38,8 +38,8 @@ Points walks(int strands, int stations, double size, double step, unsigned seed)
 std::vector<std::pair<double, std::uint32_t>> brute_force(const Points& points,
                                                           std::size_t of, double radius) {
     std::map<std::uint32_t, std::pair<double, std::uint32_t>> nearest;
-    for (std::uint32_t i = 0; i < points.places.size(); ++i) {
-        const double d2 = (points.places[i] - points.places[of]).squaredNorm();
+    for (std::uint32_t i = 0; i < points.positions.size(); ++i) {
+        const double d2 = (points.positions[i] - points.positions[of]).squaredNorm();
         if (points.strands[i] == points.strands[of] || d2 > radius * radius) continue;
         const std::pair candidate(d2, i);
         const auto at = nearest.try_emplace(points.strands[i], candidate).first;
@@ -54,9 +54,9 @@ std::vector<std::pair<double, std::uint32_t>> brute_force(const Points& points,
 
 /// How many points have all the neighbours that are kept.
 int expect_brute_force(StrandGrid& grid, const Points& points, double radius) {
-    grid.find(points.places, points.strands, radius);
+    grid.find(points.positions, points.strands, radius);
     int full = 0;
-    for (std::size_t i = 0; i < points.places.size(); ++i) {
+    for (std::size_t i = 0; i < points.positions.size(); ++i) {
         const auto expected = brute_force(points, i, radius);
         const auto found = grid.neighbours(i);
         EXPECT_EQ(found.size(), expected.size());
@@ -81,7 +81,7 @@ TEST(StrandGrid, FindsWhatBruteForceFinds) {
 TEST(StrandGrid, FindsAcrossCellsFarFromTheOrigin) {
     StrandGrid grid;
     Points points = walks(60, 20, 0.4, 0.1, 2);
-    for (Vec3& p : points.places) p += Vec3(-1e4, 1e5, 1e-3);
+    for (Vec3& p : points.positions) p += Vec3(-1e4, 1e5, 1e-3);
     EXPECT_GT(expect_brute_force(grid, points, 0.3), 100);
 }
 
@@ -90,7 +90,7 @@ TEST(StrandGrid, TiesGoToTheLowerIndex) {
     // radius.
     Points points;
     for (std::uint32_t i = 0; i < 512; ++i) {
-        points.places.push_back({double(i % 8), double(i / 8 % 8), double(i / 64)});
+        points.positions.push_back({double(i % 8), double(i / 8 % 8), double(i / 64)});
         points.strands.push_back(i / 8);
     }
     StrandGrid grid;
@@ -104,7 +104,7 @@ TEST(StrandGrid, TiesGoToTheLowerIndex) {
 TEST(StrandGrid, OfOneStrandThereAreNoNeighbours) {
     StrandGrid grid;
     const Points points = walks(1, 50, 1, 0.01, 3);
-    grid.find(points.places, points.strands, 10);
+    grid.find(points.positions, points.strands, 10);
     for (std::size_t i = 0; i < 50; ++i) EXPECT_TRUE(grid.neighbours(i).empty());
     grid.find({}, {}, 1);  // nor of none
 }
@@ -112,12 +112,12 @@ TEST(StrandGrid, OfOneStrandThereAreNoNeighbours) {
 TEST(StrandGrid, PointsAtOnePlaceAreNeighboursAtNoDistance) {
     Points points;
     for (std::uint32_t s = 0; s < 10; ++s) {
-        points.places.push_back({-0.0, 0, 0});
+        points.positions.push_back({-0.0, 0, 0});
         points.strands.push_back(s);
     }
-    points.places[3].x() = 0;
+    points.positions[3].x() = 0;
     StrandGrid grid;
-    grid.find(points.places, points.strands, 0.1);
+    grid.find(points.positions, points.strands, 0.1);
     const auto found = grid.neighbours(2);
     ASSERT_EQ(found.size(), 4u);
     const std::uint32_t expected[] = {0, 1, 3, 4};
@@ -130,12 +130,12 @@ TEST(StrandGrid, PointsAtOnePlaceAreNeighboursAtNoDistance) {
 TEST(StrandGrid, IsTheSameForAnyNumberOfThreads) {
     const Points points = walks(500, 40, 3, 0.1, 4);
     StrandGrid one, many;
-    many.find(points.places, points.strands, 0.5);
+    many.find(points.positions, points.strands, 0.5);
     {
         const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
-        one.find(points.places, points.strands, 0.5);
+        one.find(points.positions, points.strands, 0.5);
     }
-    for (std::size_t i = 0; i < points.places.size(); ++i) {
+    for (std::size_t i = 0; i < points.positions.size(); ++i) {
         const auto a = one.neighbours(i), b = many.neighbours(i);
         ASSERT_EQ(a.size(), b.size());
         for (std::size_t k = 0; k < a.size(); ++k) {
@@ -148,7 +148,7 @@ TEST(StrandGrid, IsTheSameForAnyNumberOfThreads) {
 TEST(StrandGrid, KeepsItsBuffersFromCallToCall) {
     StrandGrid grid;
     const Points points = walks(100, 20, 1, 0.1, 5), fewer = walks(30, 20, 1, 0.1, 6);
-    grid.find(points.places, points.strands, 0.5);
+    grid.find(points.positions, points.strands, 0.5);
     const auto* data = grid.neighbours(0).data();
     expect_brute_force(grid, fewer, 0.5);
     expect_brute_force(grid, points, 0.4);
@@ -158,14 +158,15 @@ TEST(StrandGrid, KeepsItsBuffersFromCallToCall) {
 TEST(StrandGrid, RejectsWhatItCannotSort) {
     StrandGrid grid;
     Points points = walks(2, 2, 1, 0.1, 7);
-    EXPECT_THROW(grid.find(points.places, {}, 1), std::invalid_argument);
+    EXPECT_THROW(grid.find(points.positions, {}, 1), std::invalid_argument);
     for (const double radius : {0.0, -1.0, std::nan("")}) {
-        EXPECT_THROW(grid.find(points.places, points.strands, radius),
+        EXPECT_THROW(grid.find(points.positions, points.strands, radius),
                      std::invalid_argument);
     }
-    EXPECT_THROW(grid.find(points.places, points.strands, 1e-12), std::invalid_argument);
-    points.places[1].z() = std::nan("");
-    EXPECT_THROW(grid.find(points.places, points.strands, 1), std::invalid_argument);
+    EXPECT_THROW(grid.find(points.positions, points.strands, 1e-12),
+                 std::invalid_argument);
+    points.positions[1].z() = std::nan("");
+    EXPECT_THROW(grid.find(points.positions, points.strands, 1), std::invalid_argument);
 }
 
 }  // namespace

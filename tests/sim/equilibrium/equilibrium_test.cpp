@@ -8,6 +8,7 @@
 #include "sim/equilibrium/measures.h"
 #include "sim/equilibrium/minimum.h"
 #include "tests/sim/rod/made_rods.h"
+#include "tests/sim/rod/rod_gradient.h"
 
 namespace lancret {
 namespace {

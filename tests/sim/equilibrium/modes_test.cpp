@@ -7,6 +7,7 @@
 
 #include "sim/equilibrium/equilibrium.h"
 #include "sim/equilibrium/stability.h"
+#include "tests/sim/equilibrium/critical_weight.h"
 #include "tests/sim/rod/made_rods.h"
 
 namespace lancret {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/rod/energy.h"
+#include "tests/sim/rod/rod_gradient.h"
 #include "tests/sim/small_scenes.h"
 
 namespace lancret {
@@ -24,8 +25,9 @@ TEST(SagFree, TheGroomIsAnEquilibriumOfTheRodsEnergy) {
         rod.section = section;
         rod.gravity = gravity;
         Eigen::VectorXd q(24);
-        for (int i = 0; i < 24; ++i)
+        for (int i = 0; i < 24; ++i) {
             q[i] = guides.curvatures_of(g)[std::size_t(i / 3)][i % 3];
+        }
         // The load alone, to compare with: the two quadratures agree to 1e-10 each.
         GravityTerms load;
         gravity_terms(rod, q, Derivatives::first, load);

@@ -9,6 +9,7 @@
 #include "sim/rod/mass.h"
 #include "sim/segment/gauss_legendre.h"
 #include "tests/sim/rod/made_rods.h"
+#include "tests/sim/rod/rod_gradient.h"
 
 namespace lancret {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/rod/motion.h"
+#include "tests/sim/rod/motion.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@ TestRod at_time(const TestRod& rod, double t) {
     return out;
 }
 
-std::vector<Vec3> places_of(const TestRod& rod, const PointLayout& layout) {
+std::vector<Vec3> positions_of(const TestRod& rod, const PointLayout& layout) {
     std::vector<Vec3> out;
     const SuperHelix helix{rod.root.pose, rod.lengths, rod.curvatures};
     double start = 0;
@@ -44,18 +44,20 @@ TEST(RodPoints, MotionAndBiasAreDifferencesOfPlaces) {
         const TestRod rod = random_rod(5, turn, random);
         PointLayout layout;
         layout.lay_out(rod.lengths, rod.curvatures);
-        PointVectors places, velocities, bias;
+        PointVectors positions, velocities, bias;
         std::vector<Vec3> joints, joint_velocities;
-        point_places(rod.lengths, rod.root.pose, rod.curvatures, layout, places, joints);
+        point_positions(rod.lengths, rod.root.pose, rod.curvatures, layout, positions,
+                        joints);
         point_velocities(rod.rod(), rod.state(), layout, velocities, joint_velocities);
         point_bias(rod.rod(), rod.state(), layout, bias);
         // Central differences: h^2 r''' / 6 and h^2 r'''' / 12 against eps / h and
         // 4 eps / h^2: about 1e-7 for second ones at h = 1e-4 (derivatives of order 100).
         constexpr double h = 1e-4;
-        const auto now = places_of(rod, layout), up = places_of(at_time(rod, h), layout),
-                   down = places_of(at_time(rod, -h), layout);
+        const auto now = positions_of(rod, layout),
+                   up = positions_of(at_time(rod, h), layout),
+                   down = positions_of(at_time(rod, -h), layout);
         for (int i = 0; i < layout.size(); ++i) {
-            EXPECT_LT((places.get(i) - now[i]).norm(), 1e-14);
+            EXPECT_LT((positions.get(i) - now[i]).norm(), 1e-14);
             EXPECT_LT((velocities.get(i) - (up[i] - down[i]) / (2 * h)).norm(), 1e-6);
             EXPECT_LT((bias.get(i) - (up[i] - 2 * now[i] + down[i]) / (h * h)).norm(),
                       1e-5 * (1 + bias.get(i).norm()));

@@ -9,6 +9,7 @@
 #include "sim/equilibrium/measures.h"
 #include "sim/equilibrium/modes.h"
 #include "sim/equilibrium/stability.h"
+#include "tests/sim/equilibrium/critical_weight.h"
 #include "tests/sim/rod/convergence.h"
 #include "tests/sim/rod/made_rods.h"
 

@@ -40,8 +40,8 @@ struct RodRun {
     void step(double eps) {
         if (root_at) rod.root = root_at(time);
         const RootMotion to = root_at ? root_at(time + eps) : rod.root;
-        report = stepper.step(rod.rod(), forces, settings, rod.root, to.pose, eps,
-                              rod.curvatures, rod.rates, past);
+        report = stepper.step(rod.rod(), forces, settings,
+                              {rod.root, to.pose, eps, rod.curvatures, rod.rates, past});
         rod.root = to;
         time += eps;
     }

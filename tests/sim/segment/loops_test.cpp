@@ -48,11 +48,11 @@ TEST(SegmentLoops, WideRegistersGiveTheSameBits) {
         rates.speed = uniform(random);
         const StartMotion from{motion[0], motion[1], motion[2], motion[3]};
         struct Results {
-            double sums[kSegmentSums], places[96], velocities[96], bias[96];
+            double sums[kSegmentSums], positions[96], velocities[96], bias[96];
             void of(const SegmentLoops& loops, const SegmentLoop& at,
                     const RateVectors& r, const StartMotion& m) {
                 loops.sums(at, sums);
-                loops.places(at, r, places, 32);
+                loops.positions(at, r, positions, 32);
                 loops.velocities(at, r, m, velocities, 32);
                 loops.bias(at, r, m, bias, 32);
             }

@@ -37,9 +37,9 @@ TEST(PointTranslation, SmallStepCostsTheLeastBending) {
     std::mt19937_64 random(2);
     const TestRod rod = random_rod(5, 0.5, random);
     const double s = 1;
-    Eigen::VectorXd place;
+    Eigen::VectorXd position;
     Eigen::MatrixXd j;
-    positions_with_jacobian(helix_of(rod), std::span(&s, 1), place, j);
+    positions_with_jacobian(helix_of(rod), std::span(&s, 1), position, j);
     const Vec3 d = random_vector(random, 1e-5);
     TranslationSettings settings;
     Eigen::VectorXd w(15);
@@ -50,7 +50,7 @@ TEST(PointTranslation, SmallStepCostsTheLeastBending) {
     const Eigen::VectorXd want = wj * (j * wj).inverse() * d;
     settings.tolerance = 1e-9;
     std::vector<Vec3> bent;
-    translate_point(helix_of(rod), s, place.head<3>() + d, settings, bent);
+    translate_point(helix_of(rod), s, position.head<3>() + d, settings, bent);
     for (int q = 0; q < 5; ++q) {
         EXPECT_LT((bent[q] - rod.curvatures[q] - want.segment<3>(3 * q)).norm(),
                   1e-3 * want.norm());

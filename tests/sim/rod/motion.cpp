@@ -1,4 +1,4 @@
-#include "sim/rod/motion.h"
+#include "tests/sim/rod/motion.h"
 
 #include "sim/rod/points.h"
 #include "sim/segment/gauss_legendre.h"
@@ -21,13 +21,13 @@ void for_each_point(const Rod& rod, const PointLayout& layout, Visit&& visit) {
 
 struct PointMotion {
     PointLayout layout;
-    PointVectors places, velocities;
+    PointVectors positions, velocities;
     std::vector<Vec3> joints;
 
     PointMotion(const Rod& rod, const RodState& state) {
         layout.lay_out(rod.lengths, state.curvatures);
-        point_places(rod.lengths, state.root.pose, state.curvatures, layout, places,
-                     joints);
+        point_positions(rod.lengths, state.root.pose, state.curvatures, layout, positions,
+                        joints);
         point_velocities(rod, state, layout, velocities, joints);
     }
 };
@@ -39,7 +39,7 @@ RodEnergy energy(const Rod& rod, const RodState& state, const Vec3& gravity) {
     RodEnergy out;
     for_each_point(rod, motion.layout, [&](int i, double mass) {
         out.kinetic += mass * motion.velocities.get(i).squaredNorm() / 2;
-        out.gravity -= mass * gravity.dot(motion.places.get(i));
+        out.gravity -= mass * gravity.dot(motion.positions.get(i));
     });
     for (int q = 0; q < rod.segments(); ++q) {
         const Vec3 away = state.curvatures[q] - rod.natural[q];
@@ -54,7 +54,7 @@ Momentum momentum(const Rod& rod, const RodState& state) {
     for_each_point(rod, motion.layout, [&](int i, double mass) {
         const Vec3 p = mass * motion.velocities.get(i);
         out.linear += p;
-        out.angular += motion.places.get(i).cross(p);
+        out.angular += motion.positions.get(i).cross(p);
     });
     return out;
 }
@@ -77,7 +77,7 @@ RootReaction root_reaction(const Rod& rod, const RodState& state,
             mass * (bias.get(i) + driven.get(i) - gravity +
                     drag / rod.section.linear_density * motion.velocities.get(i));
         out.force += force;
-        out.moment += (motion.places.get(i) - state.root.pose.position).cross(force);
+        out.moment += (motion.positions.get(i) - state.root.pose.position).cross(force);
     });
     return out;
 }

@@ -1,4 +1,4 @@
-#include "tools/rod/rod_report.h"
+#include "tools/rod/report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,9 +29,9 @@ nlohmann::json energy_json(const HangingEnergy& energy) {
 /// `equilibrium`.
 void add_release(const RodReport& report, nlohmann::json& out) {
     const RodRelease& release = *report.release;
-    nlohmann::json hung;
-    for (const char* key : {"tip", "energy", "curvatures"}) hung[key] = out[key];
-    out["equilibrium"] = hung;
+    nlohmann::json equilibrium;
+    for (const char* key : {"tip", "energy", "curvatures"}) equilibrium[key] = out[key];
+    out["equilibrium"] = equilibrium;
     out["energy"] = nlohmann::json::array();
     for (const ReleaseSample& s : release.samples) {
         out["energy"].push_back({{"t", s.time},
@@ -56,7 +56,7 @@ void add_release(const RodReport& report, nlohmann::json& out) {
 }
 
 double root_curvature(const RodReport& report) {
-    return root_darboux(report.rod, report.hung.q).tail<2>().norm();
+    return root_darboux(report.rod, report.equilibrium.q).tail<2>().norm();
 }
 
 }  // namespace
@@ -108,40 +108,41 @@ std::optional<double> critical_gamma(const RodReport& report) {
 }
 
 std::optional<double> energy_drift(const RodReport& report) {
-    if (!report.release || !report.hung.converged) return std::nullopt;
+    if (!report.release || !report.equilibrium.converged) return std::nullopt;
     const double first = report.release->samples.front().total();
-    const double depth = first - report.hung.energy.total();
+    const double depth = first - report.equilibrium.energy.total();
     // Round-off of either energy, many times over.
     if (!(depth > 1e-12 * (report.setup.gamma + 1))) return std::nullopt;
     return report.release->largest_change / depth;
 }
 
 std::string rod_table(const RodReport& report) {
-    const RodEquilibrium& hung = report.hung;
-    const Vec3 tip = tip_of(report, hung.q);
-    const LowestPoint low = lowest_point(report.rod, hung.q, Vec3::UnitZ());
+    const RodEquilibrium& equilibrium = report.equilibrium;
+    const Vec3 tip = tip_of(report, equilibrium.q);
+    const LowestPoint low = lowest_point(report.rod, equilibrium.q, Vec3::UnitZ());
     std::string out;
     const auto row = [&](const char* name, const std::string& value) {
         out += fmt::format("{:<16}{}\n", name, value);
     };
     row("gamma", fmt::format("{}", report.setup.gamma));
     row("tip", fmt::format("{:.8f} {:.8f} {:.8f}", tip.x(), tip.y(), tip.z()));
-    row("tip angle", fmt::format("{:.8f} rad", tip_angle(report.rod, hung.q)));
+    row("tip angle", fmt::format("{:.8f} rad", tip_angle(report.rod, equilibrium.q)));
     row("lowest", fmt::format("{:.8f} at s = {:.6f}", low.height, low.s));
     row("root curvature", fmt::format("{:.8f}", root_curvature(report)));
-    row("energy",
-        fmt::format("{:.8g} elastic, {:.8g} gravity, {:.8g} total", hung.energy.elastic,
-                    hung.energy.gravity, hung.energy.total()));
+    row("energy", fmt::format("{:.8g} elastic, {:.8g} gravity, {:.8g} total",
+                              equilibrium.energy.elastic, equilibrium.energy.gravity,
+                              equilibrium.energy.total()));
     row("stable",
-        fmt::format(
-            "{} (smallest eigenvalue {:.6g}){}", hung.stable ? "yes" : "no",
-            hung.smallest_eigenvalue,
-            hung.left_branch ? ", not the continuation of the natural shape" : ""));
+        fmt::format("{} (smallest eigenvalue {:.6g}){}",
+                    equilibrium.stable ? "yes" : "no", equilibrium.smallest_eigenvalue,
+                    equilibrium.left_branch
+                        ? ", not the continuation of the natural shape"
+                        : ""));
     if (!report.modes.empty()) {
         row("frequencies", fmt::format("{:.6f}", fmt::join(report.modes, " ")));
     }
     if (report.changes && report.changes->empty()) {
-        row("buckling", fmt::format("none up to gamma {:g}", report.most_gamma));
+        row("buckling", fmt::format("none up to gamma {:g}", report.max_gamma));
     } else if (report.changes) {
         for (const StabilityChange& change : *report.changes) {
             row("buckling", fmt::format("{} at gamma {:.8f}{}",
@@ -164,8 +165,8 @@ std::string rod_table(const RodReport& report) {
 
 nlohmann::json rod_json(const RodReport& report) {
     const RodSetup& setup = report.setup;
-    const RodEquilibrium& hung = report.hung;
-    const LowestPoint low = lowest_point(report.rod, hung.q, Vec3::UnitZ());
+    const RodEquilibrium& equilibrium = report.equilibrium;
+    const LowestPoint low = lowest_point(report.rod, equilibrium.q, Vec3::UnitZ());
     nlohmann::json out = {
         {"gamma", setup.gamma},
         {"natural", array(setup.natural)},
@@ -174,27 +175,27 @@ nlohmann::json rod_json(const RodReport& report) {
         {"torsion_ratio", setup.torsion_ratio},
         {"bending_ratio", setup.bending_ratio},
         {"segments", setup.segments},
-        {"tip", array(tip_of(report, hung.q))},
-        {"tip_angle", tip_angle(report.rod, hung.q)},
+        {"tip", array(tip_of(report, equilibrium.q))},
+        {"tip_angle", tip_angle(report.rod, equilibrium.q)},
         {"lowest", low.height},
         {"lowest_at", low.s},
         {"root_curvature", root_curvature(report)},
-        {"root_darboux", array(root_darboux(report.rod, hung.q))},
-        {"energy", energy_json(hung.energy)},
-        {"stable", hung.stable},
-        {"converged", hung.converged},
-        {"left_branch", hung.left_branch},
-        {"snaps", hung.snaps},
-        {"smallest_eigenvalue", hung.smallest_eigenvalue},
+        {"root_darboux", array(root_darboux(report.rod, equilibrium.q))},
+        {"energy", energy_json(equilibrium.energy)},
+        {"stable", equilibrium.stable},
+        {"converged", equilibrium.converged},
+        {"left_branch", equilibrium.left_branch},
+        {"snaps", equilibrium.snaps},
+        {"smallest_eigenvalue", equilibrium.smallest_eigenvalue},
         {"modes", report.modes},
     };
     for (std::size_t i = 0; i < report.rod.segments(); ++i) {
-        out["curvatures"].push_back(array(hung.q.segment<3>(3 * i)));
+        out["curvatures"].push_back(array(equilibrium.q.segment<3>(3 * i)));
     }
     const std::optional<double> critical = critical_gamma(report);
     out["critical_gamma"] = critical ? nlohmann::json(*critical) : nlohmann::json();
     if (report.changes) {
-        out["searched_to_gamma"] = report.most_gamma;
+        out["searched_to_gamma"] = report.max_gamma;
         out["stability_changes"] = nlohmann::json::array();
         for (const StabilityChange& change : *report.changes) {
             out["stability_changes"].push_back({{"gamma", change.weight},

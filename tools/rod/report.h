@@ -31,10 +31,10 @@ HangingRod rod_of(const RodSetup& setup);
 struct RodReport {
     RodSetup setup;
     HangingRod rod;
-    RodEquilibrium hung;
+    RodEquilibrium equilibrium;
     std::vector<double> modes;                            ///< as many as asked for
     std::optional<std::vector<StabilityChange>> changes;  ///< none: not asked for
-    double most_gamma = 0;              ///< up to which they were looked for
+    double max_gamma = 0;               ///< up to which they were looked for
     std::optional<RodRelease> release;  ///< none: not asked for
 };
 
