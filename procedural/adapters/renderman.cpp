@@ -1,8 +1,8 @@
-// RenderMan's DynamicLoad procedural. Its contract, and how it is kept: the renderer
-// knows a bound beforehand, from the scene file; it calls Subdivide when it reaches the
-// bound, never or more than once, from any of its threads; it calls Free when it needs
-// the procedural no more. The procedural of the scene file opens the groom and makes a
-// procedural of each chunk, with a bound of its own, which makes curves.
+// RenderMan's DynamicLoad procedural. By its contract the renderer has a bound from the
+// scene file, calls Subdivide from any thread, once, several times or never, when it
+// reaches the bound, and calls Free when the procedural is no longer needed. The
+// procedural of the scene file opens the groom and emits one procedural per chunk, each
+// with a bound of its own. The procedural of a chunk emits curves.
 
 #include <exception>
 #include <memory>
@@ -16,7 +16,7 @@
 namespace lancret {
 namespace {
 
-/// The procedural of the scene file. The groom is opened when it is reached.
+/// The procedural of the scene file. Opens the groom when it is reached.
 struct Root {
     RendermanParameters parameters;
     std::mutex mutex;
@@ -29,13 +29,13 @@ struct Root {
     }
 };
 
-/// That of a chunk. It may outlive its root.
+/// The procedural of one chunk. May outlive its root.
 struct Chunk {
     std::shared_ptr<const SharedGroom> groom;
     lancret_u32 index;
 };
 
-/// Lets no exception out into the renderer, which prints its text.
+/// Passes the text of an exception to the renderer instead of throwing.
 template <class F>
 void guarded(RtInt code, F&& f) {
     try {
@@ -43,20 +43,19 @@ void guarded(RtInt code, F&& f) {
     } catch (const std::exception& error) {
         RiErrorPrint(code, kRiError, (std::string("lancret: ") + error.what()).c_str());
     } catch (...) {
-        RiErrorPrint(kRiBug, kRiError, "lancret: an unknown error");
+        RiErrorPrint(kRiBug, kRiError, "lancret: unknown error");
     }
 }
 
-struct Kept {
+struct KeptCurves {
     RiCurvesData data;
     std::exception_ptr error;
 };
 
-/// Converts, so that Ri is called when Lancret has taken its memory back, and outside of
-/// its work: the renderer may wait for locks or work of its own there. Nothing is thrown
-/// through Lancret.
+/// Copies the curves. Ri is called only after Lancret has returned, since the renderer
+/// may wait there for its own locks or tasks. Does not throw through Lancret.
 lancret_status keep_curves(void* user, const lancret_curves* curves) {
-    Kept& kept = *static_cast<Kept*>(user);
+    KeptCurves& kept = *static_cast<KeptCurves*>(user);
     try {
         kept.data = curves_data(*curves);
         return LANCRET_OK;
@@ -71,7 +70,7 @@ void subdivide_chunk(RtPointer data, RtFloat detail) {
         const Chunk& chunk = *static_cast<const Chunk*>(data);
         const SharedGroom& groom = *chunk.groom;
         const lancret_options options = chunk_options(groom.parameters, detail);
-        Kept kept;
+        KeptCurves kept;
         const lancret_status status = lancret_groom_expand_chunk(
             groom.handle.get(), chunk.index, &options, keep_curves, &kept);
         groom.context->messages.print();
@@ -91,8 +90,8 @@ void subdivide_root(Root& root) {
     for (lancret_u32 i = 0; i < groom->info.chunks; ++i) {
         auto chunk = std::make_unique<Chunk>(Chunk{groom, i});
         RtBound bound;
-        chunk_box(*groom, i, bound);
-        if (bound[0] > bound[1]) continue;  // none of its strands are grown
+        chunk_bound(*groom, i, bound);
+        if (bound[0] > bound[1]) continue;  // the chunk grows no strand
         RiProcedural(chunk.release(), bound, subdivide_chunk, free_chunk);
     }
 }
@@ -102,13 +101,13 @@ void subdivide_root(Root& root) {
 
 extern "C" {
 
-/// Null where the string is wrong, which the renderer is told.
+/// Null, with an error to the renderer, if the string is invalid.
 [[gnu::visibility("default")]] RtPointer ConvertParameters(char* text) {
     lancret::Root* root = nullptr;
     lancret::guarded(lancret::kRiBadFile, [&] {
-        auto made = std::make_unique<lancret::Root>();
-        made->parameters = lancret::read_parameters(text ? text : "");
-        root = made.release();
+        auto read = std::make_unique<lancret::Root>();
+        read->parameters = lancret::read_parameters(text ? text : "");
+        root = read.release();
     });
     return root;
 }

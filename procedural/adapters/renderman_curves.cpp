@@ -7,10 +7,10 @@
 namespace lancret {
 namespace {
 
-/// A basis as RiBasis and RiCurves know it.
+/// The arguments of RiBasis and RiCurves for a basis.
 struct RiCurveBasis {
     RtBasis* matrix;  ///< null: linear
-    RtInt step;       ///< vertices from one segment to the next
+    RtInt step;       ///< vertices per segment
 };
 
 RiCurveBasis ri_basis(int basis) {
@@ -32,14 +32,14 @@ void add_xyz(std::vector<RtFloat>& out, const float* point) {
     out.insert(out.end(), point, point + 3);
 }
 
-/// Radii are control values of the same spline as the points, so widths are as well.
+/// Radii, and so widths, are control values of the same spline as the points.
 CurvesAtTime curves_at(const lancret_curves& curves, std::size_t time) {
     CurvesAtTime out;
     const float* points = curves.positions[time];
     const bool hermite = curves.basis == LANCRET_HERMITE;
-    const std::size_t each = hermite ? 2 : 1;
-    out.points.reserve(3 * each * curves.points);
-    out.widths.reserve(each * curves.points);
+    const std::size_t vertices = std::size_t(hermite ? 2 : 1) * curves.points;
+    out.points.reserve(3 * vertices);
+    out.widths.reserve(vertices);
     for (std::size_t i = 0; i < curves.points; ++i) {
         add_xyz(out.points, points + 4 * i);
         out.widths.push_back(2 * points[4 * i + 3]);
@@ -65,7 +65,7 @@ std::vector<RtFloat> floats(const float* values, std::size_t n) {
     return {values, values + n};
 }
 
-/// The one width of all curves at all times, if there is one, in the place of many.
+/// Reduces the widths to a single one if all are equal at all times.
 void join_widths(RiCurvesData& data) {
     if (data.basis == LANCRET_HERMITE) return;
     const RtFloat first = data.times.front().widths.front();
@@ -81,7 +81,7 @@ void emit_once(const RiCurvesData& data, const CurvesAtTime& time) {
     const bool hermite = data.basis == LANCRET_HERMITE;
     std::vector<std::string> names;
     std::vector<RtPointer> values;
-    // Ri takes what it only reads without const.
+    // Ri reads through pointers to non-const.
     const auto add = [&](std::string name, const auto& numbers) {
         names.push_back(std::move(name));
         using T = typename std::decay_t<decltype(numbers)>::value_type;
@@ -98,8 +98,8 @@ void emit_once(const RiCurvesData& data, const CurvesAtTime& time) {
     }
     for (const Primvar& primvar : data.primvars) {
         std::string name = primvar.declaration;
-        if (const auto at = name.find("[]"); at != name.npos) {
-            name.insert(at + 1, std::to_string(data.neighbours));
+        if (const auto bracket = name.find("[]"); bracket != name.npos) {
+            name.insert(bracket + 1, std::to_string(data.neighbours));
         }
         if (primvar.ints.empty()) {
             add(std::move(name), primvar.floats);
@@ -126,8 +126,9 @@ RiCurvesData curves_data(const lancret_curves& curves) {
     if (hermite) {
         for (RtInt& count : out.counts) count *= 2;
     }
-    for (std::size_t t = 0; t < curves.times; ++t)
+    for (std::size_t t = 0; t < curves.times; ++t) {
         out.times.push_back(curves_at(curves, t));
+    }
     join_widths(out);
 
     const std::size_t n = curves.strands;

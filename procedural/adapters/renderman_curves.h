@@ -1,5 +1,5 @@
 #pragma once
-// A chunk as RiCurves.
+// A chunk as arguments of RiCurves.
 
 #include <vector>
 
@@ -8,23 +8,22 @@
 
 namespace lancret {
 
-/// Values of a primitive variable that are the same at all times.
+/// A primitive variable that does not depend on time.
 struct Primvar {
-    const char* declaration;  ///< class, type and name
+    const char* declaration;  ///< class, type and name, such as "uniform float length"
     std::vector<RtFloat> floats;
     std::vector<RtInt> ints;
 };
 
 /// One time of the motion block.
 struct CurvesAtTime {
-    std::vector<RtFloat> points;  ///< [vertices][3]
-    std::vector<RtFloat> widths;  ///< [vertices], or one where all are the same
-    std::vector<RtFloat>
-        normals;  ///< [vertices][3], of Hermite curves [varying][3], or none
+    std::vector<RtFloat> points;   ///< [vertices][3]
+    std::vector<RtFloat> widths;   ///< [vertices], or a single one if all are equal
+    std::vector<RtFloat> normals;  ///< [vertices][3], Hermite [varying][3], or empty
 };
 
-/// What is left of a chunk when Lancret has taken its memory back. Cubic Hermite curves
-/// have a point and a tangent for each of Lancret's points, as RiHermiteBasis wants them.
+/// A copy of a chunk. Hermite curves have two vertices, a point and a tangent, for each
+/// point of lancret_curves, as RiHermiteBasis requires.
 struct RiCurvesData {
     int basis = 0;
     std::vector<RtInt> counts;  ///< vertices of each curve
@@ -35,8 +34,8 @@ struct RiCurvesData {
 
 RiCurvesData curves_data(const lancret_curves& curves);
 
-/// One RiCurves, or a motion block of them at `motion`, in attributes of their own.
-/// Nothing where there are no curves.
+/// Emits RiCurves, in a motion block at `motion` if there are several times, between
+/// RiAttributeBegin and RiAttributeEnd. No-op if there are no curves.
 void emit_curves(const RiCurvesData& data, const std::vector<RtFloat>& motion);
 
 }  // namespace lancret

@@ -15,8 +15,8 @@ void keep_message(void* user, int level, const char* text) {
     static_cast<Messages*>(user)->add(severity, text);
 }
 
-/// RenderMan makes a procedural anew for each instance and has no place where they meet:
-/// this is it.
+/// The context that all procedurals of the process share, one per number of threads.
+/// RenderMan creates a procedural for each instance and has no place for shared state.
 std::shared_ptr<Context> shared_context(int threads) {
     static std::mutex mutex;
     static std::map<int, std::weak_ptr<Context>> contexts;
@@ -39,8 +39,8 @@ void Messages::add(RtInt severity, std::string text) {
 
 std::string Messages::take_error() {
     const std::lock_guard lock(mutex_);
-    auto own = errors_.extract(std::this_thread::get_id());
-    return own ? std::move(own.mapped()) : std::string();
+    auto error = errors_.extract(std::this_thread::get_id());
+    return error ? std::move(error.mapped()) : std::string();
 }
 
 void Messages::print() {
@@ -56,11 +56,10 @@ void Messages::print() {
 
 void expect_ok(lancret_status status, const std::string& what, Messages& messages) {
     constexpr const char* kNames[] = {
-        "",          "bad input",           "a wrong call", "out of memory",
-        "cancelled", "a mistake in Lancret"};
+        "", "bad input", "invalid call", "out of memory", "cancelled", "internal error"};
     if (status == LANCRET_OK) return;
     const bool known = status > 0 && status < int(std::size(kNames));
-    std::string text = what + ": " + (known ? kNames[status] : "an unknown status");
+    std::string text = what + ": " + (known ? kNames[status] : "unknown status");
     if (const std::string error = messages.take_error(); !error.empty()) {
         text += ", " + error;
     }
@@ -92,16 +91,16 @@ SharedGroom::SharedGroom(RendermanParameters given)
     source.parameters = values.data();
     source.parameter_count = values.size();
     source.chunk_strands = parameters.chunk_strands;
-    // On a thread of its own: Lancret works in parallel inside, and a thread that waits
-    // for such work while it holds a lock might be given another Subdivide of the
-    // renderer's, which waits for the lock.
+    // On a thread of its own. The caller holds a lock; if it waited for Lancret's TBB
+    // tasks itself, it might execute another Subdivide of the renderer, which waits for
+    // that lock.
     char error[1024] = "";
     lancret_groom* opened = nullptr;
     const lancret_status status =
         std::async(std::launch::async, [&] {
             const lancret_status out = lancret_groom_open(context->handle, &source,
                                                           &opened, error, sizeof error);
-            context->messages.take_error();  // which is the same
+            context->messages.take_error();  // the same text, logged
             return out;
         }).get();
     handle.reset(opened);
@@ -123,7 +122,8 @@ lancret_options chunk_options(const RendermanParameters& parameters, RtFloat det
     out.attributes = parameters.attributes;
     out.unit = parameters.unit;
     if (parameters.strands_per_pixel > 0 && detail < kNoDetail) {
-        // A chunk has at most chunk_strands, so that the share stays above the least.
+        // Density is strands_per_pixel * pixels / strands of the chunk, which has at most
+        // chunk_strands: with these pixels or more it is at least min_density.
         out.strands_per_pixel = parameters.strands_per_pixel;
         out.pixels =
             std::max(double(detail), parameters.min_density * parameters.chunk_strands /
@@ -132,29 +132,30 @@ lancret_options chunk_options(const RendermanParameters& parameters, RtFloat det
     return out;
 }
 
-void chunk_box(const SharedGroom& groom, lancret_u32 chunk, RtBound bound) {
+void chunk_bound(const SharedGroom& groom, lancret_u32 chunk, RtBound bound) {
     const RendermanParameters& parameters = groom.parameters;
     const std::string what =
         parameters.file + ", bound of chunk " + std::to_string(chunk);
-    float all[6];
+    float box[6];
     const lancret_options full = chunk_options(parameters, kNoDetail);
     expect_ok(lancret_groom_get_chunk_box(groom.handle.get(), chunk, &full,
-                                          parameters.bound, all),
+                                          parameters.bound, box),
               what, groom.context->messages);
     if (parameters.strands_per_pixel > 0) {
-        float wide[6];
-        const lancret_options least = chunk_options(parameters, 0);
-        expect_ok(lancret_groom_get_chunk_box(groom.handle.get(), chunk, &least,
-                                              LANCRET_REACH, wide),
+        // At the lowest density, where strands are widest.
+        float widest[6];
+        const lancret_options sparse = chunk_options(parameters, 0);
+        expect_ok(lancret_groom_get_chunk_box(groom.handle.get(), chunk, &sparse,
+                                              LANCRET_REACH, widest),
                   what, groom.context->messages);
         for (int a = 0; a < 3; ++a) {
-            all[a] = std::min(all[a], wide[a]);
-            all[a + 3] = std::max(all[a + 3], wide[a + 3]);
+            box[a] = std::min(box[a], widest[a]);
+            box[a + 3] = std::max(box[a + 3], widest[a + 3]);
         }
     }
     for (int a = 0; a < 3; ++a) {
-        bound[2 * a] = all[a];
-        bound[2 * a + 1] = all[a + 3];
+        bound[2 * a] = box[a];
+        bound[2 * a + 1] = box[a + 3];
     }
 }
 

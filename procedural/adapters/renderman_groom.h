@@ -1,5 +1,5 @@
 #pragma once
-// A groom held open for the procedurals that stand for its chunks.
+// A groom that is held open for the procedurals of its chunks.
 
 #include <map>
 #include <memory>
@@ -14,24 +14,24 @@
 
 namespace lancret {
 
-/// What Lancret says while it works, from any thread: kept until `print`, since Ri is
-/// called from the renderer's threads alone.
+/// The log of Lancret, from any thread. Kept until `print`, since Ri may be called from
+/// threads of the renderer only.
 class Messages {
   public:
     void add(RtInt severity, std::string text);
-    /// Hands warnings to the renderer.
+    /// Passes all warnings and infos to the renderer and forgets them.
     void print();
-    /// The last error of a call on this thread, which the caller tells in its own words;
-    /// then there is none.
+    /// Returns the last error of a call on this thread, for the caller to report, and
+    /// forgets it; empty if there is none.
     std::string take_error();
 
   private:
     std::mutex mutex_;
     std::vector<std::pair<RtInt, std::string>> texts_;
-    std::map<std::thread::id, std::string> errors_;  ///< of calls on each thread
+    std::map<std::thread::id, std::string> errors_;  ///< by calling thread
 };
 
-/// A context that grooms of as many threads share, for as long as one of them is open.
+/// The context of all open grooms with the same number of threads.
 struct Context {
     Messages messages;
     lancret_context* handle = nullptr;
@@ -42,25 +42,26 @@ struct Context {
     Context& operator=(const Context&) = delete;
 };
 
-/// Kept by its root procedural and by those of its chunks, closed with the last.
+/// An open groom, owned by its root procedural and those of its chunks.
 struct SharedGroom {
     RendermanParameters parameters;
     std::shared_ptr<Context> context;
     std::unique_ptr<lancret_groom, decltype(&lancret_groom_close)> handle;
     lancret_groom_info info{};
 
-    /// Throws std::runtime_error with the file and line at fault.
+    /// Throws std::runtime_error with file and line.
     explicit SharedGroom(RendermanParameters parameters);
 };
 
-/// What a chunk is asked for where it covers `detail` pixels.
+/// Options for a chunk whose bound covers `detail` pixels.
 lancret_options chunk_options(const RendermanParameters& parameters, RtFloat detail);
 
-/// Holds a chunk at every detail: level of detail makes strands wider.
-void chunk_box(const SharedGroom& groom, lancret_u32 chunk, RtBound bound);
+/// The bound of a chunk at any detail: level of detail makes strands wider. Throws
+/// std::runtime_error.
+void chunk_bound(const SharedGroom& groom, lancret_u32 chunk, RtBound bound);
 
-/// Throws std::runtime_error that names `what` where `status` is not LANCRET_OK, with
-/// what was said.
+/// Throws std::runtime_error with `what` and the error of this thread's last call if
+/// `status` is not LANCRET_OK.
 void expect_ok(lancret_status status, const std::string& what, Messages& messages);
 
 }  // namespace lancret

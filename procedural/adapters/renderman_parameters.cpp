@@ -9,23 +9,23 @@
 namespace lancret {
 namespace {
 
-constexpr std::size_t kMaxTimes = 64;  // of lancret_options
+constexpr std::size_t kMaxTimes = 64;
 
-/// A word of the string: `name` is empty where it has no =.
+/// A word of the string; `name` is empty if it has no '='.
 struct Word {
-    std::size_t at;  ///< of its first character, from 1
+    std::size_t character;  ///< position of its first character, from 1
     std::string name, value;
     bool quoted = false;
 };
 
 [[noreturn]] void fail(const Word& word, const std::string& what) {
-    throw std::invalid_argument("character " + std::to_string(word.at) + ": " +
+    throw std::invalid_argument("character " + std::to_string(word.character) + ": " +
                                 (word.name.empty() ? "" : word.name + ": ") + what);
 }
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/// The value that begins at `at`, which moves behind it.
+/// Reads the value at position `at` and moves `at` past it.
 std::string value_at(std::string_view text, std::size_t& at, Word& word) {
     std::string out;
     const char quote = at < text.size() ? text[at] : ' ';
@@ -35,11 +35,11 @@ std::string value_at(std::string_view text, std::size_t& at, Word& word) {
     }
     word.quoted = true;
     const std::size_t end = text.find(quote, ++at);
-    if (end == std::string_view::npos) fail(word, "the quotation does not end");
+    if (end == std::string_view::npos) fail(word, "unterminated quotation");
     out = text.substr(at, end - at);
     at = end + 1;
     if (at < text.size() && !is_space(text[at])) {
-        fail(word, "a space was expected after the quotation");
+        fail(word, "expected a space after the quotation");
     }
     return out;
 }
@@ -59,7 +59,7 @@ std::vector<Word> words_of(std::string_view text) {
         }
         if (name_end < text.size() && text[name_end] == '=') {
             word.name = text.substr(at, name_end - at);
-            if (word.name.empty()) fail(word, "a name was expected before =");
+            if (word.name.empty()) fail(word, "expected a name before '='");
             at = name_end + 1;
         }
         word.value = value_at(text, at, word);
@@ -75,24 +75,24 @@ bool read_number(std::string_view text, double& number) {
            std::isfinite(number);
 }
 
-double number_of(const Word& word, double least, double most) {
+double number_of(const Word& word, double min, double max) {
     double out = 0;
-    if (!read_number(word.value, out) || !(out >= least && out <= most)) {
+    if (!read_number(word.value, out) || !(out >= min && out <= max)) {
         char range[96];
-        std::snprintf(range, sizeof range, "a number in [%g, %g] was expected, not '",
-                      least, most);
+        std::snprintf(range, sizeof range, "expected a number in [%g, %g], not '", min,
+                      max);
         fail(word, range + word.value + "'");
     }
     return out;
 }
 
-int whole_of(const Word& word, double least, double most) {
-    const double out = number_of(word, least, most);
-    if (out != std::floor(out)) fail(word, "a whole number was expected");
+int integer_of(const Word& word, double min, double max) {
+    const double out = number_of(word, min, max);
+    if (out != std::floor(out)) fail(word, "expected a whole number");
     return int(out);
 }
 
-/// What stands between the commas of a value.
+/// The comma-separated parts of a value.
 std::vector<std::string> parts_of(const Word& word) {
     std::vector<std::string> out(1);
     for (const char c : word.value) {
@@ -108,14 +108,13 @@ std::vector<std::string> parts_of(const Word& word) {
 std::vector<double> numbers_of(const Word& word) {
     std::vector<double> out;
     for (const std::string& part : parts_of(word)) {
-        Word one = word;
-        one.value = part;
-        out.push_back(number_of(one, -1e6, 1e6));
+        Word part_word = word;
+        part_word.value = part;
+        out.push_back(number_of(part_word, -1e6, 1e6));
     }
-    if (out.size() > kMaxTimes) fail(word, "at most 64 times were expected");
+    if (out.size() > kMaxTimes) fail(word, "expected at most 64 times");
     for (std::size_t i = 1; i < out.size(); ++i) {
-        if (!(float(out[i]) > float(out[i - 1])))
-            fail(word, "times that rise were expected");
+        if (!(float(out[i]) > float(out[i - 1]))) fail(word, "expected increasing times");
     }
     return out;
 }
@@ -143,7 +142,7 @@ int choice_of(const Word& word, const std::string& name, const Choice (&choices)
         if (name == choice.name) return choice.value;
         names += (names.empty() ? "" : ", ") + std::string(choice.name);
     }
-    fail(word, "one of " + names + " was expected, not '" + name + "'");
+    fail(word, "expected one of " + names + ", not '" + name + "'");
 }
 
 GroomValue groom_value(const Word& word) {
@@ -159,9 +158,9 @@ GroomValue groom_value(const Word& word) {
     return out;
 }
 
-/// What is told by several words.
+/// The times, which several words set together.
 struct Times {
-    bool framed = false;
+    bool has_frame = false;
     double frame = 0;
     std::vector<double> samples, motion;
 };
@@ -171,11 +170,12 @@ void take(const Word& word, RendermanParameters& out, Times& times) {
     if (name.find('.') != std::string::npos) {
         out.values.push_back(groom_value(word));
     } else if (name.empty() || name == "file") {
-        if (!out.file.empty()) fail(word, "there is a file already, '" + out.file + "'");
-        if (word.value.empty()) fail(word, "a file was expected");
+        if (!out.file.empty())
+            fail(word, "the file is already set to '" + out.file + "'");
+        if (word.value.empty()) fail(word, "expected a file name");
         out.file = word.value;
     } else if (name == "frame") {
-        times.framed = true;
+        times.has_frame = true;
         times.frame = number_of(word, -1e6, 1e6);
     } else if (name == "samples") {
         times.samples = numbers_of(word);
@@ -196,15 +196,15 @@ void take(const Word& word, RendermanParameters& out, Times& times) {
             out.attributes |= lancret_u32(choice_of(word, part, kPrimvars));
         }
     } else if (name == "chunk_strands") {
-        out.chunk_strands = lancret_u32(whole_of(word, 1, 1'000'000));
+        out.chunk_strands = lancret_u32(integer_of(word, 1, 1'000'000));
     } else if (name == "unit") {
         out.unit = float(number_of(word, 1e-6, 1e9));
     } else if (name == "threads") {
-        out.threads = whole_of(word, 0, 4096);
+        out.threads = integer_of(word, 0, 4096);
     } else if (name == "bound") {
         out.bound = choice_of(word, word.value, kBounds);
     } else {
-        fail(word, "there is no such parameter");
+        fail(word, "unknown parameter");
     }
 }
 
@@ -216,19 +216,19 @@ RendermanParameters read_parameters(std::string_view text) {
     std::vector<std::string> seen;
     for (const Word& word : words_of(text)) {
         if (!word.name.empty() && std::ranges::find(seen, word.name) != seen.end()) {
-            fail(word, "is given twice");
+            fail(word, "is set twice");
         }
         seen.push_back(word.name);
         take(word, out, times);
     }
     if (out.file.empty()) {
         throw std::invalid_argument(
-            "no file: a groom's .toml, .hair or .h5 was expected");
+            "no file: expected a groom's .toml, .hair or .h5 file");
     }
-    if (times.samples.empty() && times.framed) times.samples = {0};
+    if (times.samples.empty() && times.has_frame) times.samples = {0};
     if (times.motion.empty()) times.motion = times.samples;
     if (times.motion.size() != times.samples.size()) {
-        throw std::invalid_argument("motion: as many times as samples were expected");
+        throw std::invalid_argument("motion: expected as many times as samples");
     }
     for (const double sample : times.samples) out.times.push_back(times.frame + sample);
     out.motion.assign(times.motion.begin(), times.motion.end());

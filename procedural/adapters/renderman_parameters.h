@@ -1,11 +1,11 @@
 #pragma once
-// The string that RenderMan hands to ConvertParameters, read:
+// Parses the string that RenderMan passes to ConvertParameters:
 //
 //     head.toml frame=12 samples=0,0.5 strands.count=5000 strands.blend='detail'
 //
-// Words are parted by spaces; a value with spaces stands in ' ' or " ". The first word
-// without = is the groom's file; a name with a dot is one of the groom's own parameters,
-// laid over the file; docs/plugin.md has the others.
+// Words are separated by spaces; a value with spaces is quoted by ' or ". A word without
+// = is the groom's file. A name with a dot overrides a setting of the groom.
+// docs/plugin.md lists the other parameters.
 
 #include <string>
 #include <string_view>
@@ -15,7 +15,7 @@
 
 namespace lancret {
 
-/// One of the groom's own parameters.
+/// An override of a groom setting.
 struct GroomValue {
     std::string name, text;
     double number = 0;
@@ -26,22 +26,21 @@ struct RendermanParameters {
     std::string file;
     std::vector<GroomValue> values;
 
-    std::vector<double> times;  ///< frame + samples; none: at rest, of a cache its
-                                ///< first frame
-    std::vector<float> motion;  ///< [times] where the renderer's motion blocks have them
+    std::vector<double> times;  ///< frame + samples; empty: the first frame, or rest
+    std::vector<float> motion;  ///< [times] the same as times of the motion block
     int basis = LANCRET_BSPLINE;
-    float max_error = 0;           ///< units; 0: the groom's own
-    double density = 0;            ///< 0: the groom's own
+    float max_error = 0;           ///< units of the scene; 0: the groom's tolerance
+    double density = 0;            ///< 0: the groom's density
     double strands_per_pixel = 0;  ///< 0: no level of detail
-    double min_density = 0.01;   ///< that level of detail may come to
+    double min_density = 0.01;     ///< lower limit of level of detail
     lancret_u32 attributes = 0;
     lancret_u32 chunk_strands = 4096;
-    float unit = 1;   ///< cm of a unit of the scene
-    int threads = 0;  ///< of one call; 0: as many as the machine has
+    float unit = 1;   ///< of the scene, cm
+    int threads = 0;  ///< per call; 0: all of the machine
     int bound = LANCRET_REACH;
 };
 
-/// Throws std::invalid_argument with what is wrong and where.
+/// Throws std::invalid_argument with the position and what was expected.
 RendermanParameters read_parameters(std::string_view text);
 
 }  // namespace lancret

@@ -1,7 +1,7 @@
 #pragma once
-// What the adapter needs of the RenderMan Interface, declared anew: types and calls as
-// the RenderMan Interface Specification 3.2 names them. The renderer that loads the DSO
-// has them.
+// Own declarations of the types and calls of the RenderMan Interface that the adapter
+// needs, with the names of the RenderMan Interface Specification 3.2. The renderer that
+// loads the DSO defines them.
 
 extern "C" {
 
@@ -12,7 +12,7 @@ using RtPointer = void*;
 using RtBasis = RtFloat[4][4];
 using RtBound = RtFloat[6];  ///< minimum and maximum x, then y, then z
 
-/// `detail` is the area in pixels of the procedural's bound on the screen.
+/// `detail` is the area of the procedural's bound on the screen, in pixels.
 using RtProcSubdivFunc = void (*)(RtPointer data, RtFloat detail);
 using RtProcFreeFunc = void (*)(RtPointer data);
 
@@ -33,8 +33,8 @@ void RiErrorPrint(RtInt code, RtInt severity, const char* message);
 
 namespace lancret {
 
-/// From here on a `detail` means that the renderer could not tell one (RI_INFINITY is
-/// 1e38): everything is to be made.
+/// A larger `detail` means that the renderer has none (RI_INFINITY is 1e38): grow all
+/// strands.
 inline constexpr RtFloat kNoDetail = 1e37f;
 
 // RIE_...

@@ -12,8 +12,12 @@ namespace lancret {
 
 namespace {
 
-/// What was told last of a call that failed, by the thread that called.
-thread_local std::string fault;
+[[noreturn]] void fail(lancret_status status, const std::string& error) {
+    if (status == LANCRET_BAD_INPUT) throw InputError(error);
+    if (status == LANCRET_OUT_OF_MEMORY) throw std::bad_alloc();
+    throw std::runtime_error(
+        fmt::format("the plugin returned status {}: {}", status, error));
+}
 
 lancret_status copy_mesh(void* to, const lancret_mesh* mesh) {
     if (mesh->vertices == 0) return LANCRET_OK;
@@ -50,7 +54,21 @@ PluginGroom::PluginGroom(const std::filesystem::path& file,
     lancret_host host{};
     host.size = sizeof host;
     host.user = this;
-    host.log = take;
+    host.log = receive_log;
+    throw_if_failed(plugin_->context_create(LANCRET_ABI_VERSION, &host, &context_));
+    try {
+        open(file, parameters);
+        info_.size = sizeof info_;
+        throw_if_failed(plugin_->groom_get_info(groom_, &info_));
+    } catch (...) {
+        plugin_->groom_close(groom_);
+        plugin_->context_destroy(context_);
+        throw;
+    }
+}
+
+void PluginGroom::open(const std::filesystem::path& file,
+                       std::span<const PluginParameter> parameters) {
     std::vector<lancret_parameter> given;
     for (const PluginParameter& p : parameters) {
         given.push_back({p.name.c_str(), p.text ? p.text->c_str() : nullptr, p.number});
@@ -61,21 +79,16 @@ PluginGroom::PluginGroom(const std::filesystem::path& file,
     source.path = path.c_str();
     source.parameters = given.data();
     source.parameter_count = given.size();
-    must(plugin_->create(LANCRET_ABI_VERSION, &host, &context_));
-    try {
-        must(plugin_->open(context_, &source, &groom_, nullptr, 0));
-        info_.size = sizeof info_;
-        must(plugin_->get_info(groom_, &info_));
-    } catch (...) {
-        plugin_->close(groom_);
-        plugin_->destroy(context_);
-        throw;
-    }
+    char error[4096] = "";
+    const lancret_status status =
+        plugin_->groom_open(context_, &source, &groom_, error, sizeof error);
+    take_error();  // the same text, logged
+    if (status != LANCRET_OK) fail(status, error);
 }
 
 PluginGroom::~PluginGroom() {
-    plugin_->close(groom_);
-    plugin_->destroy(context_);
+    plugin_->groom_close(groom_);
+    plugin_->context_destroy(context_);
 }
 
 CurveBasis PluginGroom::basis() const {
@@ -99,7 +112,7 @@ Eigen::AlignedBox3f PluginGroom::box() const { return box_of(info_.box); }
 
 std::string PluginGroom::description() const {
     std::string out;
-    must(plugin_->describe(
+    throw_if_failed(plugin_->groom_describe(
         groom_, [](void* to, const char* text) { *static_cast<std::string*>(to) = text; },
         &out));
     return out;
@@ -107,44 +120,46 @@ std::string PluginGroom::description() const {
 
 std::optional<TriangleMesh> PluginGroom::head(double time) const {
     std::optional<TriangleMesh> out;
-    must(plugin_->get_head(groom_, time, copy_mesh, &out));
+    throw_if_failed(plugin_->groom_get_head(groom_, time, copy_mesh, &out));
     return out;
 }
 
 bool PluginGroom::is_still(std::span<const double> times) const {
     int still = 0;
-    must(plugin_->is_still(groom_, times.data(), times.size(), &still));
+    throw_if_failed(plugin_->groom_is_still(groom_, times.data(), times.size(), &still));
     return still != 0;
 }
 
-Eigen::AlignedBox3f PluginGroom::bound(lancret_u32 chunk) const {
+Eigen::AlignedBox3f PluginGroom::chunk_box(lancret_u32 chunk) const {
     lancret_options options{};
     options.size = sizeof options;
     options.basis = info_.basis;
     float box[6] = {};
-    must(plugin_->bound(groom_, chunk, &options, LANCRET_TIGHT, box));
+    throw_if_failed(
+        plugin_->groom_get_chunk_box(groom_, chunk, &options, LANCRET_TIGHT, box));
     return box_of(box);
 }
 
-void PluginGroom::take(void* self, int level, const char* text) {
+void PluginGroom::receive_log(void* self, int level, const char* text) {
     auto& groom = *static_cast<PluginGroom*>(self);
-    if (level == LANCRET_LOG_ERROR) {
-        fault = text;
-        return;
-    }
     const std::lock_guard lock(groom.mutex_);
-    if (level == LANCRET_LOG_WARNING) {
+    if (level == LANCRET_LOG_ERROR) {
+        groom.errors_[std::this_thread::get_id()] = text;
+    } else if (level == LANCRET_LOG_WARNING) {
         if (groom.log_.warning) groom.log_.warning(text);
     } else if (groom.log_.stage) {
         groom.log_.stage(text);
     }
 }
 
-void PluginGroom::must(lancret_status status) const {
-    if (status == LANCRET_OK) return;
-    if (status == LANCRET_BAD_INPUT) throw InputError(fault);
-    if (status == LANCRET_OUT_OF_MEMORY) throw std::bad_alloc();
-    throw std::runtime_error(fmt::format("the plugin's status is {}: {}", status, fault));
+std::string PluginGroom::take_error() const {
+    const std::lock_guard lock(mutex_);
+    const auto error = errors_.extract(std::this_thread::get_id());
+    return error ? error.mapped() : std::string();
+}
+
+void PluginGroom::throw_if_failed(lancret_status status) const {
+    if (status != LANCRET_OK) fail(status, take_error());
 }
 
 }  // namespace lancret

@@ -16,8 +16,8 @@ namespace {
 constexpr const char* kName = "liblancret_procedural.so.2";
 
 std::string library_name() {
-    const char* said = std::getenv("LANCRET_LIBRARY");
-    return said && *said ? said : kName;
+    const char* name = std::getenv("LANCRET_LIBRARY");
+    return name && *name ? name : kName;
 }
 
 }  // namespace
@@ -30,13 +30,14 @@ Plugin::Plugin() {
     if (!library_) {
         const char* reason = dlerror();
         throw InputError(fmt::format("{}: cannot be loaded: {}", name,
-                                     reason ? reason : "for no known reason"));
+                                     reason ? reason : "unknown reason"));
     }
     const auto find = [&]<class Function>(const char* function, Function& to) {
         to = reinterpret_cast<Function>(dlsym(library_.get(), function));
         if (to) return;
-        throw InputError(
-            fmt::format("{}: has no {}: it is not of this Lancret", name, function));
+        throw InputError(fmt::format(
+            "{}: has no function {}, expected the library of this version of Lancret",
+            name, function));
     };
     PluginFunctions& f = functions_;
     find("lancret_abi_version", f.abi_version);
@@ -44,21 +45,21 @@ Plugin::Plugin() {
         throw InputError(fmt::format("{}: has version {} of the interface, expected {}",
                                      name, f.abi_version(), LANCRET_ABI_VERSION));
     }
-    find("lancret_context_create", f.create);
-    find("lancret_context_destroy", f.destroy);
-    find("lancret_groom_open", f.open);
-    find("lancret_groom_close", f.close);
-    find("lancret_groom_get_info", f.get_info);
-    find("lancret_groom_describe", f.describe);
-    find("lancret_groom_get_head", f.get_head);
-    find("lancret_groom_is_still", f.is_still);
-    find("lancret_groom_get_chunk_box", f.bound);
+    find("lancret_context_create", f.context_create);
+    find("lancret_context_destroy", f.context_destroy);
+    find("lancret_groom_open", f.groom_open);
+    find("lancret_groom_close", f.groom_close);
+    find("lancret_groom_get_info", f.groom_get_info);
+    find("lancret_groom_describe", f.groom_describe);
+    find("lancret_groom_get_head", f.groom_get_head);
+    find("lancret_groom_is_still", f.groom_is_still);
+    find("lancret_groom_get_chunk_box", f.groom_get_chunk_box);
     find("lancret_chunk_open", f.chunk_open);
-    find("lancret_chunk_get_sizes", f.chunk_sizes);
+    find("lancret_chunk_get_sizes", f.chunk_get_sizes);
     find("lancret_chunk_write", f.chunk_write);
     find("lancret_chunk_close", f.chunk_close);
-    find("lancret_chunk_get_info", f.get_chunk_info);
-    find("lancret_chunk_get_figures", f.chunk_figures);
+    find("lancret_chunk_get_info", f.chunk_get_info);
+    find("lancret_chunk_get_figures", f.chunk_get_figures);
 }
 
 }  // namespace lancret

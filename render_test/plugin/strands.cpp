@@ -13,7 +13,7 @@ namespace lancret {
 
 namespace {
 
-/// How many curve segments a strand of so many control points has.
+/// Number of curve segments of a strand with `points` control points.
 std::uint32_t segments_of(CurveBasis basis, std::uint32_t points) {
     return basis == CurveBasis::hermite ? points - 1 : points - 3;
 }
@@ -21,19 +21,19 @@ std::uint32_t segments_of(CurveBasis basis, std::uint32_t points) {
 void number_segments(Curves& curves) {
     curves.segments = Buffer<std::uint32_t>(curves.segment_count());
     tbb::parallel_for(std::size_t(0), curves.classes.size(), [&](std::size_t c) {
-        const CurveClass& own = curves.classes[c];
-        std::uint32_t* to = curves.segments.data() + own.segment;
-        for (std::uint32_t i = 0; i < own.strands; ++i) {
-            for (std::uint32_t j = 0; j < own.segments; ++j) {
-                *to++ = own.point + i * own.points + j;
+        const CurveClass& alike = curves.classes[c];
+        std::uint32_t* to = curves.segments.data() + alike.segment;
+        for (std::uint32_t i = 0; i < alike.strands; ++i) {
+            for (std::uint32_t j = 0; j < alike.segments; ++j) {
+                *to++ = alike.point + i * alike.points + j;
             }
         }
     });
 }
 
-/// The parts of each time's buffer that belong to a chunk; none of empty ones.
-std::vector<const float*> parts(std::vector<Curves>& curves,
-                                Buffer<Point4f> Curves::*buffer, std::size_t point) {
+/// Per time, the address of `point` in the buffer; empty if the buffers are.
+std::vector<const float*> arrays_at(std::vector<Curves>& curves,
+                                    Buffer<Point4f> Curves::*buffer, std::size_t point) {
     std::vector<const float*> out;
     for (Curves& c : curves) {
         if ((c.*buffer).size() > 0) out.push_back(&(c.*buffer)[point].x);
@@ -61,10 +61,10 @@ PluginStrands::PluginStrands(const PluginGroom& groom, StrandRequest request)
         tbb::parallel_for(std::size_t(0), chunks_.size(), [&](std::size_t c) {
             Chunk& chunk = chunks_[c];
             const lancret_options options = options_of(c);
-            groom_.must(plugin->chunk_open(groom_.handle(), lancret_u32(c), &options,
-                                           &chunk.handle));
+            groom_.throw_if_failed(plugin->chunk_open(groom_.handle(), lancret_u32(c),
+                                                      &options, &chunk.handle));
             chunk.sizes.size = sizeof chunk.sizes;
-            groom_.must(plugin->chunk_sizes(chunk.handle, &chunk.sizes));
+            groom_.throw_if_failed(plugin->chunk_get_sizes(chunk.handle, &chunk.sizes));
         });
         for (Chunk& chunk : chunks_) {
             chunk.strand = strands_;
@@ -73,13 +73,13 @@ PluginStrands::PluginStrands(const PluginGroom& groom, StrandRequest request)
             points_ += chunk.sizes.points;
             lancret_chunk_info info{};
             info.size = sizeof info;
-            groom_.must(plugin->get_chunk_info(chunk.handle, &info));
+            groom_.throw_if_failed(plugin->chunk_get_info(chunk.handle, &info));
             add(info_, info);
         }
         if (points_ > std::numeric_limits<std::uint32_t>::max()) {
             throw InputError(fmt::format(
-                "{} strands have {} points, more than 2^32: ask for fewer strands or "
-                "intervals",
+                "{} strands have {} points, more than 2^32: reduce the number of strands "
+                "or intervals",
                 strands_, points_));
         }
     } catch (...) {
@@ -130,9 +130,9 @@ std::vector<Curves> PluginStrands::curves() const {
     std::vector<std::uint32_t> counts(strands_), ids(strands_);
     each_chunk([&](const Chunk& chunk) {
         if (chunk.sizes.strands == 0) return;
-        const auto positions = parts(out, &Curves::points, chunk.point),
-                   tangents = parts(out, &Curves::tangents, chunk.point),
-                   normals = parts(out, &Curves::normals, chunk.point);
+        const auto positions = arrays_at(out, &Curves::points, chunk.point),
+                   tangents = arrays_at(out, &Curves::tangents, chunk.point),
+                   normals = arrays_at(out, &Curves::normals, chunk.point);
         const auto or_null = [](const auto& arrays) {
             return arrays.empty() ? nullptr : arrays.data();
         };
@@ -142,7 +142,7 @@ std::vector<Curves> PluginStrands::curves() const {
         to.positions = positions.data();
         to.tangents = or_null(tangents);
         to.normals = or_null(normals);
-        groom_.must(groom_.plugin()->chunk_write(chunk.handle, &to));
+        groom_.throw_if_failed(groom_.plugin()->chunk_write(chunk.handle, &to));
     });
     for (Curves& c : out) {
         for (std::size_t i = 0, first = 0; i < strands_; ++i) {
@@ -162,9 +162,9 @@ StrandValues PluginStrands::figures(int figure, std::size_t time,
     out.at_places = figure == LANCRET_ORTHOGONALITY;
     if (figure != LANCRET_LENGTH_ERROR && figure != LANCRET_REGION) {
         out.first.push_back(0);
-        for (const CurveClass& own : curves.classes) {
-            for (std::uint32_t i = 0; i < own.strands; ++i) {
-                out.first.push_back(out.first.back() + own.segments + out.at_places);
+        for (const CurveClass& alike : curves.classes) {
+            for (std::uint32_t i = 0; i < alike.strands; ++i) {
+                out.first.push_back(out.first.back() + alike.segments + out.at_places);
             }
         }
     }
@@ -173,8 +173,8 @@ StrandValues PluginStrands::figures(int figure, std::size_t time,
         if (chunk.sizes.strands == 0) return;
         const std::size_t first =
             out.first.empty() ? chunk.strand : out.first[chunk.strand];
-        groom_.must(groom_.plugin()->chunk_figures(chunk.handle, figure, time,
-                                                   out.values.data() + first));
+        groom_.throw_if_failed(groom_.plugin()->chunk_get_figures(
+            chunk.handle, figure, time, out.values.data() + first));
     });
     return out;
 }
@@ -189,7 +189,7 @@ StrandGuides PluginStrands::guides() const {
         lancret_curves to = chunk.sizes;
         to.guides = out.guides.data() + chunk.strand * out.neighbours;
         to.weights = out.weights.data() + chunk.strand * out.neighbours;
-        groom_.must(groom_.plugin()->chunk_write(chunk.handle, &to));
+        groom_.throw_if_failed(groom_.plugin()->chunk_write(chunk.handle, &to));
     });
     return out;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// All strands of a groom, chunk by chunk from a plugin straight into the curves that rays
-// meet.
+// All strands of a groom, written by the plugin, chunk by chunk, directly into the curves
+// that are traced.
 
 #include <functional>
 #include <span>
@@ -12,39 +12,39 @@
 
 namespace lancret {
 
-/// What is asked of all chunks.
+/// The request for all chunks.
 struct StrandRequest {
-    std::vector<double> times;  ///< frames, at least one
-    bool faces = false;  ///< normals of strands that are no ribbons, which have them
-    std::vector<double> pixels;    ///< [chunks] that each covers, for:
-    double strands_per_pixel = 0;  ///< at most so many; 0: no level of detail
+    std::vector<double> times;     ///< frame numbers, at least one
+    bool faces = false;            ///< normals for all shapes; ribbons always have them
+    std::vector<double> pixels;    ///< [chunks] area in the picture, for level of detail
+    double strands_per_pixel = 0;  ///< maximum; 0: no level of detail
 };
 
-/// Which guides strands follow, and how much.
+/// The guides of each strand and their weights.
 struct StrandGuides {
     std::size_t neighbours = 0;
     std::vector<std::uint32_t> guides;  ///< [strands * neighbours]
-    std::vector<float> weights;         ///< the same; unused ones are 0
+    std::vector<float> weights;         ///< [strands * neighbours]; unused ones are 0
 };
 
-/// A groom's strands, bound. The same order in all that it gives: chunk after chunk.
-/// Threads work on several chunks at once.
+/// The strands of a groom, bound to their guides. All results list them in the same
+/// order, one chunk after another. Chunks are processed in parallel.
 class PluginStrands {
   public:
-    /// `groom` must outlive it. Throws InputError, also where there are more points than
-    /// 32 bits can count.
+    /// `groom` must outlive it. Throws InputError, also if there are more than 2^32
+    /// points.
     PluginStrands(const PluginGroom& groom, StrandRequest request);
     ~PluginStrands();
     PluginStrands(const PluginStrands&) = delete;
     PluginStrands& operator=(const PluginStrands&) = delete;
 
     std::size_t size() const { return strands_; }
-    /// What binding had to work around, of all chunks.
+    /// Summed over all chunks.
     const lancret_chunk_info& info() const { return info_; }
 
-    /// The strands at each time, flat where the groom does not say. Throws InputError.
+    /// The strands at each time; flat if the groom requests no shape. Throws InputError.
     std::vector<Curves> curves() const;
-    /// One of lancret_chunk_get_figures at one of the times; `curves` are any time's.
+    /// A figure of lancret_chunk_get_figures at times[time]; `curves` may be of any time.
     /// Throws InputError.
     StrandValues figures(int figure, std::size_t time, const Curves& curves) const;
     StrandGuides guides() const;
@@ -52,7 +52,7 @@ class PluginStrands {
   private:
     struct Chunk {
         lancret_chunk* handle = nullptr;
-        std::size_t strand = 0, point = 0;  ///< the first
+        std::size_t strand = 0, point = 0;  ///< index of its first
         lancret_curves sizes{};
     };
 

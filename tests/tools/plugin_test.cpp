@@ -78,12 +78,12 @@ TEST(PreviewPlugin, ALibraryThatIsNoneIsRefused) {
     {
         const Variable maths("LANCRET_LIBRARY", "libm.so.6");
         EXPECT_THAT(lancret(words_of(folder)),
-                    refuses_with("libm.so.6: has no lancret_abi_version"));
+                    refuses_with("libm.so.6: has no function lancret_abi_version"));
     }
     const Variable other("LANCRET_LIBRARY", OTHER_PLUGIN);
     const Variable version("OTHER_PLUGIN_VERSION", "99");
     EXPECT_THAT(lancret(words_of(folder)),
-                refuses_with("has version 99 of the interface, expected 1"));
+                refuses_with("has version 99 of the interface, expected 2"));
 }
 
 }  // namespace

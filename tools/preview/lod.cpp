@@ -30,7 +30,7 @@ std::vector<double> chunk_pixels(const PluginGroom& groom,
                                  std::span<const Camera> cameras, int height) {
     std::vector<double> out(groom.info().chunks, 0);
     tbb::parallel_for(std::size_t(0), out.size(), [&](std::size_t c) {
-        const Eigen::AlignedBox3f box = groom.bound(lancret_u32(c));
+        const Eigen::AlignedBox3f box = groom.chunk_box(lancret_u32(c));
         if (box.isEmpty()) return;
         for (const Camera& camera : cameras) {
             out[c] = std::max(out[c], pixels_of(box, camera, height));

@@ -8,6 +8,9 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <stdexcept>
+#include <string>
+#include <thread>
 
 #include "procedural/check/values.h"
 #include "procedural/groom/groom_source.h"
@@ -135,6 +138,30 @@ TEST(PluginGroom, WhatTheGroomHasAtFaultIsTold) {
     const std::vector<PluginParameter> odd{{"strands.cuont", std::nullopt, 3}};
     EXPECT_THAT(input_error([&] { PluginGroom(good.file, odd, {}); }),
                 testing::HasSubstr("cuont"));
+}
+
+TEST(PluginGroom, ErrorsBelongToTheirGroomAndThread) {
+    const SmallGroom folder;
+    const PluginGroom first(folder.file, {}, {}), second(folder.file, {}, {});
+    const auto fail = [](const PluginGroom& groom, double time) {
+        return groom.plugin()->groom_is_still(groom.handle(), &time, 1, nullptr);
+    };
+    const auto message = [](const PluginGroom& groom, lancret_status status) {
+        try {
+            groom.throw_if_failed(status);
+        } catch (const std::runtime_error& error) {
+            return std::string(error.what());
+        }
+        return std::string("none");
+    };
+    const lancret_status status = fail(first, 0);
+    ASSERT_EQ(status, LANCRET_BAD_CALL);
+    std::string elsewhere;
+    std::thread([&] { elsewhere = message(first, status); }).join();
+    EXPECT_THAT(elsewhere, testing::EndsWith("status 2: "));
+    EXPECT_THAT(message(second, status), testing::EndsWith("status 2: "));
+    EXPECT_THAT(message(first, status), testing::EndsWith("status 2: still"));
+    EXPECT_EQ(message(first, LANCRET_OK), "none");
 }
 
 TEST(PluginGroom, StagesAreTold) {
