@@ -22,8 +22,10 @@ inline const PlacedGuides& made_guides() {
 
 inline Roots made_roots(std::uint32_t children) {
     const PlacedGuides& guides = made_guides();
-    return roots_on_scalp(*guides.scalp, guides.grown_roots, children, 0,
-                          std::numeric_limits<double>::infinity());
+    return roots_at(&*guides.scalp, {.on_scalp = places_on_scalp(
+                                         *guides.scalp, guides.grown_roots, children, 0,
+                                         std::numeric_limits<double>::infinity()),
+                                     .on_strands = {}});
 }
 
 /// Kept from call to call: a benchmark is set up anew for every trial of its length.

@@ -44,7 +44,7 @@ std::vector<std::string> split(const std::string& text) {
 std::vector<Blend> chosen_blends(const std::string& list) {
     std::vector<std::string_view> all;
     std::vector<Blend> out;
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         all.push_back(entry.name);
         if (list.empty()) out.push_back(entry.blend);
     }

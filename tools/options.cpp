@@ -22,7 +22,7 @@ namespace {
 
 std::vector<std::string> blend_names() {
     std::vector<std::string> out;
-    for (const BlendName& entry : kBlendNames) out.emplace_back(entry.name);
+    for (const BlendTraits& entry : blends()) out.emplace_back(entry.name);
     return out;
 }
 

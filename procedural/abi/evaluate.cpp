@@ -26,7 +26,7 @@ std::string evaluation_text(lancret_context& context, const Source& source) {
                             .intervals = evaluation_intervals(holdout.guides),
                             .blends = {}};
     const auto profiles = guide_profiles<float>(holdout.guides, report.intervals);
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         stop_if_cancelled();
         report.blends.push_back(evaluate_blend(holdout, profiles, entry.blend));
     }

@@ -42,7 +42,7 @@ std::vector<float> figures_of(const OpenGroom& groom, const ChunkBinding& chunk,
         case LANCRET_CURVATURE:
             return curvature_values(posed, classed, settings.blend).values;
         default:
-            if (!has_torsion(settings.blend)) {
+            if (!traits_of(settings.blend).has_torsion) {
                 throw InputError(std::string(blend_name(settings.blend)) +
                                  ": has no torsion");
             }
@@ -55,12 +55,9 @@ lancret_chunk_info info_of(const ChunkBinding& chunk) {
     lancret_chunk_info out{};
     out.strands = lancret_u32(chunk.binding.size());
     out.bytes = chunk.binding.bytes();
-    out.no_facing_guide = lancret_u32(report.no_facing_guide);
-    out.no_guide_in_reach = lancret_u32(report.no_guide_in_reach);
-    out.no_guide_in_sight = lancret_u32(report.no_guide_in_sight);
-    out.no_guide_in_region = lancret_u32(report.no_guide_in_region);
-    out.opposed_root_frames = lancret_u32(report.opposed_root_frames);
-    out.straight_guides = lancret_u32(report.straight_guides);
+    for (const auto& [counter, field] : kBindCounterFields<lancret_chunk_info>) {
+        out.*field = lancret_u32(report.*counter);
+    }
     return out;
 }
 

@@ -7,7 +7,8 @@
 #include <stdexcept>
 
 #include "guides/base/cancel.h"
-#include "procedural/bind/guide_index.h"
+#include "procedural/bind/candidates.h"
+#include "procedural/bind/guide_lookup.h"
 #include "procedural/bind/weights.h"
 
 namespace lancret {
@@ -18,29 +19,19 @@ std::size_t Binding::bytes() const {
            guide_normals.size() * sizeof(Vec3f) + faces.size() * sizeof(Vec2f);
 }
 
-BindReport& BindReport::operator+=(const BindReport& more) {
-    no_facing_guide += more.no_facing_guide;
-    no_guide_in_reach += more.no_guide_in_reach;
-    no_guide_in_sight += more.no_guide_in_sight;
-    no_guide_in_region += more.no_guide_in_region;
-    opposed_root_frames += more.opposed_root_frames;
-    straight_guides += more.straight_guides;
-    return *this;
-}
-
 namespace {
 
-/// Binds the children of a range, one after the other.
+/// Binds children one after another.
 class Binder {
   public:
-    Binder(Binding& binding, const Guides& guides, const GuideLookup& bound,
+    Binder(Binding& binding, const Guides& guides, const GuideLookup& lookup,
            const BindSettings& settings, const BindBorders& borders)
         : binding_(binding),
           guides_(guides),
-          bound_(bound),
+          lookup_(lookup),
           settings_(settings),
           borders_(borders),
-          finder_(bound.index(), guides, binding.guide_normals, settings,
+          finder_(lookup.index(), guides, binding.guide_normals, settings,
                   borders.partings) {}
 
     void bind_child(std::size_t i, BindReport& report) {
@@ -59,8 +50,8 @@ class Binder {
         double length = 0;
         bool straight = true;
         for (std::size_t j = 0; j < k; ++j) {
-            length += double(weights[j]) * bound_.length(chosen[j]);
-            straight = straight && (weights[j] == 0 || bound_.straight(chosen[j]));
+            length += double(weights[j]) * lookup_.length(chosen[j]);
+            straight = straight && (weights[j] == 0 || lookup_.straight(chosen[j]));
         }
         binding_.lengths[i] = float(length * settings_.length_scale);
         report.straight_guides += straight;
@@ -83,22 +74,22 @@ class Binder {
         report.no_facing_guide += source == WeightSource::distance;
         std::ranges::fill(weights, 0.0f);
         if (source == WeightSource::none) {
-            const auto seen = near.first_in_sight();
-            std::ranges::fill(chosen, near.guides[seen.value_or(0)]);
+            const auto visible = near.first_in_sight();
+            std::ranges::fill(chosen, near.guides[visible.value_or(0)]);
             weights[0] = 1;
-            ++(seen ? report.no_guide_in_reach : report.no_guide_in_sight);
+            ++(visible ? report.no_guide_in_reach : report.no_guide_in_sight);
             return;
         }
         keep_heaviest(all, k);
         std::size_t used = 0;
         for (std::size_t j = 0; j < n; ++j) {
-            // A guide that does not face keeps its place; one out of sight has none.
+            // A visible guide that does not face the child stays listed, with weight 0.
             if (!(all[j] > 0) && (n > k || near.shares[j] == 0)) continue;
             chosen[used] = near.guides[j];
             weights[used] = all[j];
             ++used;
         }
-        // The nearest of them stands, without a weight, in the places that are left.
+        // Unused entries repeat the first guide, with weight 0.
         std::fill(chosen.begin() + std::ptrdiff_t(used), chosen.end(), chosen[0]);
     }
 
@@ -117,7 +108,9 @@ class Binder {
 
     Vec3 tangent(std::uint32_t g) const { return guides_.root_frames[g].col(0); }
 
-    /// `v` by the smallest rotation from `from` to `to`, which are not opposed.
+    /// `v` turned by the smallest rotation from `from` to `to`, which are not opposed. It
+    /// rounds differently from smallest_rotation (guides/helix/helix.h), which builds the
+    /// matrix first; the counts of the report depend on these bits.
     static Vec3 turned(const Vec3& from, const Vec3& to, const Vec3& v) {
         const Vec3 axis = from.cross(to);
         const double cosine = from.dot(to);
@@ -126,7 +119,7 @@ class Binder {
 
     Binding& binding_;
     const Guides& guides_;
-    const GuideLookup& bound_;
+    const GuideLookup& lookup_;
     const BindSettings& settings_;
     const BindBorders& borders_;
     CandidateFinder finder_;
@@ -134,8 +127,8 @@ class Binder {
     std::array<float, kMaxCandidates> weights_;
 };
 
-void check(const Roots& roots, const Guides& guides, const BindSettings& settings,
-           const BindBorders& borders) {
+void validate(const Roots& roots, const Guides& guides, const BindSettings& settings,
+              const BindBorders& borders) {
     const auto require = [](bool holds, const char* what) {
         if (!holds) throw std::invalid_argument(what);
     };
@@ -143,27 +136,28 @@ void check(const Roots& roots, const Guides& guides, const BindSettings& setting
     require(settings.neighbours >= 1 && settings.neighbours <= kMaxNeighbours,
             "bind: neighbours out of range");
     require(settings.max_distance > 0 && settings.max_angle > 0,
-            "bind: a greatest distance and angle above 0 expected");
-    const bool without = borders.guide_regions.empty() && borders.child_regions.empty();
-    require(without || (borders.guide_regions.size() == guides.size() &&
-                        borders.child_regions.size() == roots.size()),
-            "bind: a region for each guide and each child expected, or none");
+            "bind: expected a maximum distance and angle above 0");
+    const bool no_regions =
+        borders.guide_regions.empty() && borders.child_regions.empty();
+    require(no_regions || (borders.guide_regions.size() == guides.size() &&
+                           borders.child_regions.size() == roots.size()),
+            "bind: expected one region per guide and per child, or none");
 }
 
 }  // namespace
 
 Binding bind(Roots roots, const Guides& guides, std::vector<Vec3f> guide_normals,
              const BindSettings& settings, const BindBorders& borders) {
-    check(roots, guides, settings, borders);
-    const GuideLookup bound(guides, borders.guide_regions);
-    return bind(std::move(roots), guides, bound, std::move(guide_normals), settings,
+    validate(roots, guides, settings, borders);
+    const GuideLookup lookup(guides, borders.guide_regions);
+    return bind(std::move(roots), guides, lookup, std::move(guide_normals), settings,
                 borders);
 }
 
-Binding bind(Roots roots, const Guides& guides, const GuideLookup& bound,
+Binding bind(Roots roots, const Guides& guides, const GuideLookup& lookup,
              std::vector<Vec3f> guide_normals, const BindSettings& settings,
              const BindBorders& borders) {
-    check(roots, guides, settings, borders);
+    validate(roots, guides, settings, borders);
     Binding out;
     const std::size_t k = std::min<std::size_t>(settings.neighbours, guides.size());
     const std::size_t children = roots.size();
@@ -177,7 +171,7 @@ Binding bind(Roots roots, const Guides& guides, const GuideLookup& bound,
     out.report = cancellable_reduce(
         tbb::blocked_range<std::size_t>(0, children, 1024), BindReport(),
         [&](const tbb::blocked_range<std::size_t>& range, BindReport report) {
-            Binder binder(out, guides, bound, settings, borders);
+            Binder binder(out, guides, lookup, settings, borders);
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 binder.bind_child(i, report);
             }

@@ -9,8 +9,8 @@ namespace lancret {
 
 namespace {
 
-/// 1 for normals within half of the greatest angle of each other, falling smoothly to 0
-/// at the whole of it.
+/// 1 if the normals are within half the maximum angle of each other, falling smoothly to
+/// 0 at the maximum.
 double angle_share(const Vec3& up, const Vec3f& guide_up, double max_angle) {
     if (!std::isfinite(max_angle)) return 1;
     const Vec3 other = guide_up.cast<double>();
@@ -21,26 +21,6 @@ double angle_share(const Vec3& up, const Vec3f& guide_up, double max_angle) {
 
 }  // namespace
 
-GuideIndex::GuideIndex(std::span<const Vec3> roots,
-                       std::span<const std::uint32_t> regions)
-    : one_region_(regions.empty()) {
-    all_.tree = std::make_unique<PointTree>(roots);
-    for (std::size_t g = 0; g < regions.size(); ++g) {
-        Group& group = groups_[regions[g]];
-        group.guides.push_back(std::uint32_t(g));
-        group.roots.push_back(roots[g]);
-    }
-    for (auto& [region, group] : groups_) {
-        group.tree = std::make_unique<PointTree>(group.roots);
-    }
-}
-
-const GuideIndex::Group* GuideIndex::of(std::uint32_t region) const {
-    if (one_region_) return &all_;
-    const auto found = groups_.find(region);
-    return found == groups_.end() ? nullptr : &found->second;
-}
-
 std::optional<std::size_t> Candidates::first_in_sight() const {
     for (std::size_t j = 0; j < size; ++j) {
         if (sights[j] > 0) return j;
@@ -48,7 +28,7 @@ std::optional<std::size_t> Candidates::first_in_sight() const {
     return std::nullopt;
 }
 
-/// Sets sights and shares; returns the sum of shares.
+/// Sets sights and shares; returns the sum of the shares.
 double CandidateFinder::set_shares(const Vec3& place, const Vec3& up) {
     seen_.clear();
     if (partings_ && out_.size > 0) {
@@ -76,28 +56,28 @@ const Candidates& CandidateFinder::find(const Vec3& place, const Vec3& up,
     out_.from_all_regions = group == nullptr;
     if (!group) group = &index_.all();
     constexpr double kFar = std::numeric_limits<double>::infinity();
-    std::size_t want = k + 1;
+    std::size_t wanted = k + 1;
     double sum = 0, last = kFar;
     while (true) {
-        out_.size = group->tree->nearest(place, {out_.guides.data(), want},
-                                         {squared_.data(), want});
+        out_.size = group->tree->nearest(place, {out_.guides.data(), wanted},
+                                         {squared_.data(), wanted});
         for (std::size_t j = 0; j < out_.size; ++j) {
             out_.distances[j] = std::sqrt(squared_[j]);
             if (!group->guides.empty()) out_.guides[j] = group->guides[out_.guides[j]];
         }
         sum = set_shares(place, up);
-        const bool all = out_.size < want;
+        const bool all = out_.size < wanted;
         last = all ? kFar : out_.distances[out_.size - 1];
-        // Sums of whole shares are exact.
+        // Exact if all shares are 1: those are sums of whole numbers.
         const bool far_enough =
             last >= settings_.max_distance && out_.first_in_sight().has_value();
-        if (all || sum >= double(k + 1) || far_enough || want == kMaxCandidates) {
+        if (all || sum >= double(k + 1) || far_enough || wanted == kMaxCandidates) {
             break;
         }
-        want = std::min(4 * want, kMaxCandidates);
+        wanted = std::min(4 * wanted, kMaxCandidates);
     }
     last = std::min(last, settings_.max_distance);
-    if (sum == double(out_.size)) {  // nothing in the way: the nearest k
+    if (sum == double(out_.size)) {  // all shares are 1: the nearest k
         out_.reach = out_.size > k ? std::min(out_.distances[k], last) : last;
         out_.within = std::min(k, out_.size);
     } else {

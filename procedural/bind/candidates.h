@@ -1,62 +1,43 @@
 #pragma once
-// The guides that a child may have, nearest first: those of its region, as far as
-// partings and angle let it.
+// A child's candidates: the guides of its region, nearest first, reduced by partings and
+// by the angle between scalp normals.
 
 #include <array>
 #include <cstddef>
-#include <map>
-#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "guides/base/point_tree.h"
 #include "guides/helix/guides.h"
+#include "procedural/bind/guide_index.h"
 #include "procedural/bind/partings.h"
 #include "procedural/bind/settings.h"
 
 namespace lancret {
 
-/// A search tree for the guides of each region.
-class GuideIndex {
-  public:
-    /// `regions` has one for each root, or none: then all are in region 0.
-    GuideIndex(std::span<const Vec3> roots, std::span<const std::uint32_t> regions);
-
-    struct Group {
-        std::vector<std::uint32_t> guides;  ///< of the tree's points; empty: the same
-        std::vector<Vec3> roots;
-        std::unique_ptr<PointTree> tree;
-    };
-    const Group& all() const { return all_; }
-    /// The guides of `region`; null where it has none.
-    const Group* of(std::uint32_t region) const;
-
-  private:
-    Group all_;
-    bool one_region_;
-    std::map<std::uint32_t, Group> groups_;
-};
-
-/// A child's candidates, in ascending distance.
+/// Candidates in ascending distance; the arrays hold `size` entries.
 struct Candidates {
     std::size_t size = 0;
-    std::size_t within = 0;  ///< that may have a weight: those nearer than the reach, and
-                             ///< where all are nearest neighbours all of these
+    std::size_t within = 0;  ///< the first `within` may have a weight: those nearer than
+                             ///< `reach`, or all if every one is a nearest neighbour
     double reach = 0;        ///< neighbour_reach, cm
-    bool from_all_regions = false;  ///< of all regions, as the child's own has none
+    bool from_all_regions = false;  ///< because the child's own region has no guide
     std::array<std::uint32_t, kMaxCandidates> guides;
     std::array<double, kMaxCandidates> distances;  ///< cm
-    std::array<double, kMaxCandidates> sights;     ///< 0 to 1, past the partings
-    std::array<double, kMaxCandidates> shares;     ///< sight and angle, 0 beyond a limit
+    std::array<double, kMaxCandidates> sights;     ///< 0 to 1: see `sight` in partings.h
+    std::array<double, kMaxCandidates> shares;  ///< 0 to 1: sight times the falloff with
+                                                ///< angle; 0 from the maximum distance on
 
-    /// The nearest that is seen past the partings.
+    /// The nearest that no parting hides; nullopt if all are hidden.
     std::optional<std::size_t> first_in_sight() const;
 };
 
-/// Finds candidates of one child after another, without asking for memory each time.
+/// Finds the candidates of one child after another without allocating per child. Keeps
+/// references to its arguments.
 class CandidateFinder {
   public:
+    /// `normals` are the scalp's at the guides' roots; `partings` may be null.
     CandidateFinder(const GuideIndex& index, const Guides& guides,
                     std::span<const Vec3f> normals, const BindSettings& settings,
                     const Partings* partings)
@@ -66,8 +47,9 @@ class CandidateFinder {
           settings_(settings),
           partings_(partings) {}
 
-    /// As many of the nearest guides as it takes until their shares add up to `k` + 1, at
-    /// most kMaxCandidates. Valid until the next call.
+    /// Returns the nearest guides until their shares sum to at least `k` + 1, at most
+    /// kMaxCandidates. `place` is the child's root, cm, `up` the scalp's normal there.
+    /// The result is valid until the next call.
     const Candidates& find(const Vec3& place, const Vec3& up, std::uint32_t region,
                            std::size_t k);
 

@@ -1,29 +1,25 @@
 #include "procedural/bind/guide_index.h"
 
-#include <cmath>
-
 namespace lancret {
 
-namespace {
-
-bool is_straight(const Guides& guides, std::size_t g) {
-    constexpr double kStraight = 1e-9;
-    const std::size_t n = std::size_t(guides.segments);
-    for (std::size_t q = g * n; q < (g + 1) * n; ++q) {
-        const Vec3& u = guides.curvatures[q];
-        if (std::hypot(u.y(), u.z()) * guides.segment_lengths[q] > kStraight)
-            return false;
+GuideIndex::GuideIndex(std::span<const Vec3> roots,
+                       std::span<const std::uint32_t> regions)
+    : one_region_(regions.empty()) {
+    all_.tree = std::make_unique<PointTree>(roots);
+    for (std::size_t g = 0; g < regions.size(); ++g) {
+        Group& group = groups_[regions[g]];
+        group.guides.push_back(std::uint32_t(g));
+        group.roots.push_back(roots[g]);
     }
-    return true;
+    for (auto& [region, group] : groups_) {
+        group.tree = std::make_unique<PointTree>(group.roots);
+    }
 }
 
-}  // namespace
-
-GuideLookup::GuideLookup(const Guides& guides, std::span<const std::uint32_t> regions)
-    : index_(guides.root_positions, regions) {
-    for (std::size_t g = 0; g < guides.size(); ++g) {
-        guides_.push_back({guide_length(guides, g), is_straight(guides, g)});
-    }
+const GuideIndex::Group* GuideIndex::of(std::uint32_t region) const {
+    if (one_region_) return &all_;
+    const auto found = groups_.find(region);
+    return found == groups_.end() ? nullptr : &found->second;
 }
 
 }  // namespace lancret

@@ -1,29 +1,36 @@
 #pragma once
-// What binding reads of guides besides themselves: made once, for any number of chunks.
+// Search trees over the guides' roots, one per region.
 
-#include "procedural/bind/candidates.h"
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "guides/base/point_tree.h"
+#include "guides/base/types.h"
 
 namespace lancret {
 
-class GuideLookup {
+class GuideIndex {
   public:
-    /// `regions` has one for each guide, or none.
-    GuideLookup(const Guides& guides, std::span<const std::uint32_t> regions);
+    /// `regions` has one entry per root, or is empty: all roots are in one region.
+    GuideIndex(std::span<const Vec3> roots, std::span<const std::uint32_t> regions);
 
-    const GuideIndex& index() const { return index_; }
-    double length(std::size_t g) const { return guides_[g].length; }  ///< cm
-    /// Bends hardly at all: below 1e-9 radian on every segment.
-    bool straight(std::size_t g) const { return guides_[g].straight; }
-    std::size_t size() const { return guides_.size(); }
+    struct Group {
+        /// The guide of each point of the tree; empty: point i is guide i.
+        std::vector<std::uint32_t> guides;
+        std::vector<Vec3> roots;
+        std::unique_ptr<PointTree> tree;
+    };
+    const Group& all() const { return all_; }
+    /// The guides of `region`; null if it has none.
+    const Group* of(std::uint32_t region) const;
 
   private:
-    struct Guide {
-        double length;
-        bool straight;
-    };
-
-    GuideIndex index_;
-    std::vector<Guide> guides_;
+    Group all_;
+    bool one_region_;
+    std::map<std::uint32_t, Group> groups_;
 };
 
 }  // namespace lancret

@@ -11,18 +11,15 @@ namespace lancret {
 
 namespace {
 
-/// Bending below this many radians an interval has no direction of its own.
-constexpr double kStraight = 1e-9;
-
 /// The angle of the Frenet normal about n0 from n1: T' = k2 n1 - k1 n2 = kappa N.
 double normal_angle(const Vec3& u) { return std::atan2(-u.y(), u.z()); }
 
-/// Normal angles of the intervals, carried over straight ones from the nearest that
-/// bends: from the one before, and at the root from the first that does.
+/// Normal angles of the intervals. A straight interval takes the angle of the last one
+/// before it that bends, or at the root of the first that does.
 std::vector<double> carried_angles(const std::vector<Vec3>& u, double ds) {
     std::vector<double> angle(u.size());
     const auto bends = [&](const Vec3& k) {
-        return std::hypot(k.y(), k.z()) * ds > kStraight;
+        return std::hypot(k.y(), k.z()) * ds > kStraightBend;
     };
     const auto first = std::find_if(u.begin(), u.end(), bends);
     double carried = first == u.end() ? 0 : normal_angle(*first);
@@ -33,22 +30,23 @@ std::vector<double> carried_angles(const std::vector<Vec3>& u, double ds) {
     return angle;
 }
 
-/// The Darboux vector of each interval in the guide's carried frame, and the states at
-/// the ends and in the middle of each (2 count + 1 of them).
-struct Walk {
-    std::vector<Vec3> u;
-    std::vector<HelixState<double>> states;
+/// One guide on `count` intervals, in its root frame.
+struct GuidePath {
+    double length;                           ///< cm
+    std::vector<Vec3> u;                     ///< [count] Darboux vectors, carried frame
+    std::vector<HelixState<double>> states;  ///< [2 count + 1], ends and middles
 };
 
-Walk walk(const Guides& guides, std::size_t g, int count) {
+GuidePath path_of(const Guides& guides, std::size_t g, int count) {
     const double length = guide_length(guides, g);
     SuperHelix helix = super_helix(guides, g);
-    helix.root = {};  // in the root frame, from the root
+    helix.root = {};
     std::vector<double> s(2 * count + 1);
-    for (std::size_t i = 0; i < s.size(); ++i)
+    for (std::size_t i = 0; i < s.size(); ++i) {
         s[i] = length * double(i) / double(2 * count);
-
-    Walk out;
+    }
+    GuidePath out;
+    out.length = length;
     out.states.resize(s.size());
     std::vector<std::size_t> segment(s.size());
     sample(helix, s, [&](std::size_t i, std::size_t q, const HelixState<double>& state) {
@@ -60,8 +58,7 @@ Walk walk(const Guides& guides, std::size_t g, int count) {
         joint[q + 1] = joint[q] + helix.lengths[q];
     }
     for (int i = 0; i < count; ++i) {
-        // The middle lies in one segment; the ends are compared with that segment's
-        // joints.
+        // The middle lies in one segment; does the whole interval?
         const std::size_t q = segment[2 * i + 1];
         const double slack = 1e-12 * length;
         if (s[2 * i] >= joint[q] - slack && s[2 * i + 2] <= joint[q + 1] + slack) {
@@ -75,9 +72,9 @@ Walk walk(const Guides& guides, std::size_t g, int count) {
     return out;
 }
 
-/// The Darboux vectors, with the two bends told in the rotation-minimising frame in the
+/// The Darboux vectors, with both bends expressed in the rotation-minimising frame in the
 /// middle of the interval: the carried frame, turned back by its twist so far.
-std::vector<Vec3> bishop_vectors(const Walk& path, double ds) {
+std::vector<Vec3> bishop_vectors(const GuidePath& path, double ds) {
     std::vector<Vec3> out;
     double twist = 0;
     for (const Vec3& u : path.u) {
@@ -88,11 +85,80 @@ std::vector<Vec3> bishop_vectors(const Walk& path, double ds) {
     return out;
 }
 
-/// How often the tangent turns round, were it to turn always the same way.
+/// Integral of kappa over 2 pi.
 double turns_of(const std::vector<Vec3>& u, double ds) {
     double angle = 0;
     for (const Vec3& k : u) angle += std::hypot(k.y(), k.z()) * ds;
     return angle / (2 * std::numbers::pi);
+}
+
+/// Writes intervals, places and Darboux vectors of guide g.
+template <class T>
+void write_path(const GuidePath& path, std::size_t g, GuideProfiles<T>& out) {
+    const std::size_t n = out.count;
+    const double ds = path.length / out.count;
+    const std::vector<double> angles = carried_angles(path.u, ds);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto normal = [&](std::size_t place) -> Vec3T<T> {
+            const Mat3& frame = path.states[place].frame;
+            return (std::cos(angles[i]) * frame.col(1) +
+                    std::sin(angles[i]) * frame.col(2))
+                .template cast<T>();
+        };
+        const Vec3& u = path.u[i];
+        out.curvatures[g * n + i] = u.template cast<T>();
+        out.intervals[g * n + i] = {
+            T(std::hypot(u.y(), u.z())),
+            T(u.x()),
+            path.states[2 * i + 1].frame.col(0).template cast<T>(),
+            normal(2 * i + 1),
+            normal(2 * i),
+            normal(2 * i + 2)};
+    }
+    for (std::size_t i = 0; i <= n; ++i) {
+        out.positions[g * (n + 1) + i] = path.states[2 * i].position.template cast<T>();
+        out.frames[g * (n + 1) + i] = path.states[2 * i].frame.template cast<T>();
+    }
+    const std::vector<Vec3> bishop = bishop_vectors(path, ds);
+    for (std::size_t i = 0; i < n; ++i) {
+        out.bishop[g * n + i] = bishop[i].template cast<T>();
+    }
+}
+
+/// Writes the spine and the advances of guide g, whose positions are written.
+template <class T>
+void write_spine(const GuidePath& path, std::size_t g, GuideProfiles<T>& out) {
+    const std::size_t n = out.count;
+    Spine<T>& spine = out.spines[g];
+    spine = spine_of<T>(out.basis, T(path.length), [&](std::size_t i) -> const Vec3T<T>& {
+        return out.position(g, i);
+    });
+    spine.turns = T(turns_of(path.u, path.length / out.count));
+    const std::array<T, kSpineTerms> taper = spine_taper(spine.turns);
+    for (std::size_t i = 0; i <= n; ++i) {
+        out.advances[g * (n + 1) + i] =
+            std::min<T>(1, spine_at(spine, taper, out.basis.at_places[i]).norm());
+    }
+}
+
+/// [count] 1 if N or kappa of any guide jumps at the interval's start.
+template <class T>
+std::vector<char> joints_of(const GuideProfiles<T>& profiles) {
+    // Inside a segment N is continuous to round-off.
+    constexpr T kJump = T(1e-5);
+    const std::size_t n = profiles.count;
+    std::vector<char> out(n, 0);
+    for (std::size_t g = 0; g < profiles.size(); ++g) {
+        for (std::size_t i = 1; i < n; ++i) {
+            const auto &before = profiles.intervals[g * n + i - 1],
+                       &after = profiles.intervals[g * n + i];
+            if ((after.normal_before - before.normal_after).norm() > kJump ||
+                std::abs(after.kappa - before.kappa) > kJump * after.kappa) {
+                out[i] = 1;
+            }
+        }
+    }
+    return out;
 }
 
 }  // namespace
@@ -113,59 +179,13 @@ GuideProfiles<T> guide_profiles(const Guides& guides, int count) {
     out.spines.resize(size);
     out.advances.resize(size * (n + 1));
     cancellable_for(std::size_t(0), size, [&](std::size_t g) {
-        const Walk path = walk(guides, g, count);
-        const double length = guide_length(guides, g);
-        const std::vector<double> angles = carried_angles(path.u, length / count);
-        for (std::size_t i = 0; i < n; ++i) {
-            const auto normal = [&](std::size_t place) -> Vec3T<T> {
-                const Mat3& frame = path.states[place].frame;
-                return (std::cos(angles[i]) * frame.col(1) +
-                        std::sin(angles[i]) * frame.col(2))
-                    .template cast<T>();
-            };
-            const Vec3& u = path.u[i];
-            out.curvatures[g * n + i] = u.template cast<T>();
-            out.intervals[g * n + i] = {T(std::hypot(u.y(), u.z())),
-                                        T(u.x()),
-                                        path.states[2 * i + 1].frame.col(0).cast<T>(),
-                                        normal(2 * i + 1),
-                                        normal(2 * i),
-                                        normal(2 * i + 2)};
-        }
-        for (std::size_t i = 0; i <= n; ++i) {
-            out.positions[g * (n + 1) + i] = path.states[2 * i].position.cast<T>();
-            out.frames[g * (n + 1) + i] = path.states[2 * i].frame.cast<T>();
-        }
-        const std::vector<Vec3> bishop = bishop_vectors(path, length / count);
-        for (std::size_t i = 0; i < n; ++i) {
-            out.bishop[g * n + i] = bishop[i].template cast<T>();
-        }
-        Spine<T>& spine = out.spines[g];
-        spine = spine_of<T>(out.basis, T(length), [&](std::size_t i) -> const Vec3T<T>& {
-            return out.position(g, i);
-        });
-        spine.turns = T(turns_of(path.u, length / count));
-        const std::array<T, kSpineTerms> taper = spine_taper(spine.turns);
-        for (std::size_t i = 0; i <= n; ++i) {
-            out.advances[g * (n + 1) + i] =
-                std::min<T>(1, spine_at(spine, taper, out.basis.at_places[i]).norm());
-        }
-        out.root_frames[g] = guides.root_frames[g].cast<T>();
-        out.lengths[g] = T(length);
+        const GuidePath path = path_of(guides, g, count);
+        write_path(path, g, out);
+        write_spine(path, g, out);
+        out.root_frames[g] = guides.root_frames[g].template cast<T>();
+        out.lengths[g] = T(path.length);
     });
-    // Inside a segment N goes on where it was, to round-off.
-    constexpr T kJump = T(1e-5);
-    out.joints.assign(n, 0);
-    for (std::size_t g = 0; g < size; ++g) {
-        for (std::size_t i = 1; i < n; ++i) {
-            const auto &before = out.intervals[g * n + i - 1],
-                       &after = out.intervals[g * n + i];
-            if ((after.normal_before - before.normal_after).norm() > kJump ||
-                std::abs(after.kappa - before.kappa) > kJump * after.kappa) {
-                out.joints[i] = 1;
-            }
-        }
-    }
+    out.joints = joints_of(out);
     return out;
 }
 

@@ -1,40 +1,37 @@
-// Curvature, torsion and root frame, blended and then synthesised [TW99, Sec. 4.3, option
-// 1].
+// Blend option1: curvature, torsion and root frame are blended, and the strand is
+// synthesised from them [TW99, Sec. 4.3, option 1].
 //
-// As printed, the blended curvature is a quotient that grows without bound where the
-// guides' normals cancel, and the torsion one more that fails at inflections. Both are
-// kept inside the hull of the guides' values, and both quotients lean on a weighted mean
-// where they lose their meaning. What is left of their jumps stays inside that hull.
+// As printed, the blended curvature is a quotient that grows without limit as the guides'
+// normals cancel, and the torsion is another that fails at inflections. Both are clamped
+// to the range of the guides' values, and both quotients pass to a weighted mean as their
+// denominators vanish. The jumps that remain stay within that range.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "procedural/blend/blend.h"
+#include "procedural/blend/option1_constants.h"
 
 namespace lancret {
 
 namespace {
 
-/// The share of the guides' mean that steadies a quotient; it shows only where the
-/// denominator has fallen to this share of its largest value.
-template <class T>
-constexpr T kSteady = T(1e-5);
-
-/// A bend of this size (1/cm) has no direction.
-template <class T>
-constexpr T kNothing = T(1e-12);
+using option1::kFaint;
+using option1::kFloor;
+using option1::kNothing;
+using option1::kSteady;
 
 template <class T>
 Vec3T<T> across(const Vec3T<T>& v, const Vec3T<T>& axis) {
     return v - axis * axis.dot(v);
 }
 
-/// A vector of each guide.
+/// One vector per guide.
 template <class T>
 using GuideVectors = std::array<Vec3T<T>, kMaxNeighbours>;
 
-/// vector(k) of each guide, turned from its root frame to space.
+/// vector(k) of guide k, turned from its root frame to space.
 template <class T, class Vector>
 GuideVectors<T> in_space(const Child<T>& child, Vector&& vector) {
     GuideVectors<T> out;
@@ -44,7 +41,7 @@ GuideVectors<T> in_space(const Child<T>& child, Vector&& vector) {
     return out;
 }
 
-/// sum(w_k v_k) made a unit vector; where it vanishes, the heaviest guide's vector.
+/// The unit vector along sum(w_k v_k); the heaviest guide's vector if the sum vanishes.
 template <class T>
 Vec3T<T> mean_direction(const Child<T>& child, const GuideVectors<T>& vectors) {
     Vec3T<T> sum = Vec3T<T>::Zero();
@@ -56,7 +53,7 @@ Vec3T<T> mean_direction(const Child<T>& child, const GuideVectors<T>& vectors) {
     return vectors[std::ranges::max_element(child.weights) - child.weights.begin()];
 }
 
-/// The guides' interval i.
+/// Interval i of each guide.
 template <class T>
 struct Row {
     const ProfileInterval<T>* at[kMaxNeighbours] = {};
@@ -68,23 +65,22 @@ struct Row {
     }
 };
 
-/// sum(w kappa P N) at one end of an interval, which has the direction of N~ there.
-/// Straight guides have the faintest say, by the normal that they carry.
+/// sum(w kappa P N) at one end of an interval; its direction is that of N~ there. P
+/// projects across the tangent.
 template <class T>
 Vec3T<T> bend_of(const Child<T>& child, const Row<T>& row,
                  Vec3T<T> ProfileInterval<T>::*normal, const Vec3T<T>& tangent) {
-    constexpr T kFaint = T(1e-6);  // 1/cm
     Vec3T<T> bend = Vec3T<T>::Zero();
     for (std::size_t k = 0; k < child.guides.size(); ++k) {
-        bend += child.weights[k] * (row.at[k]->kappa + kFaint) *
-                (child.to_space[k] * (row.at[k]->*normal));
+        bend += child.weights[k] *
+                (row.at[k]->kappa + kFaint<T>)*(child.to_space[k] * (row.at[k]->*normal));
     }
     return across<T>(bend, tangent);
 }
 
-/// F~(0): the tangent and the curvature-weighted normal of the guides' roots. Where the
-/// normals cancel, the guides' first axis across the tangent serves: the frame is
-/// orthonormal whatever comes.
+/// F~(0): the mean tangent and the curvature-weighted normal at the guides' roots. If the
+/// normals cancel, the guides' mean first axis across the tangent replaces them, then any
+/// axis across the tangent, so that the frame is always orthonormal.
 template <class T>
 Mat3T<T> root_frame_of(const Child<T>& child, const Row<T>& row) {
     const Vec3T<T> tangent = mean_direction(
@@ -103,15 +99,15 @@ Mat3T<T> root_frame_of(const Child<T>& child, const Row<T>& row) {
     return frame;
 }
 
-/// A direction across the tangent: cosine and sine of its angle from n1.
+/// A direction across the tangent, as cosine and sine of its angle from n1.
 template <class T>
 struct Angle {
     T cosine = 1, sine = 0;
 };
 
-/// `angle` and the turn of N~ about T~ where two intervals meet: from the bend before the
-/// joint to the bend after it, both seen across T~ at the joint. An inflection is half a
-/// turn.
+/// `angle` plus the turn of N~ about T~ where two intervals meet: from the bend before
+/// the joint to the bend after it, both projected across T~ at the joint. An inflection
+/// is half a turn.
 template <class T>
 Angle<T> turned_at_joint(const Angle<T>& angle, const Child<T>& child,
                          const GuideProfiles<T>& guides, const Row<T>& before,
@@ -138,76 +134,111 @@ struct Rates {
     T kappa, tau;
 };
 
-/// Rates from the guides in the middle of an interval, inside the hull of the guides'
-/// own.
+/// The guides' bends on one interval, their sums and their ranges.
 template <class T>
-Rates<T> blended_rates(const Child<T>& child, const Row<T>& row) {
-    const std::size_t count = child.guides.size();
-    const GuideVectors<T> tangents = in_space(
-        child, [&](std::size_t k) -> const Vec3T<T>& { return row.at[k]->tangent; });
-    const Vec3T<T> tangent = mean_direction(child, tangents);
+struct Means {
+    Vec3T<T> tangent;                      ///< T~
+    GuideVectors<T> tangents;              ///< T_k
+    GuideVectors<T> normals;               ///< N_k, all on one side of T~
+    T kappas[kMaxNeighbours] = {};         ///< with the sign that N_k has on that side
+    Vec3T<T> bend = Vec3T<T>::Zero();      ///< sum w kappa P N
+    Vec3T<T> flat_sum = Vec3T<T>::Zero();  ///< sum w P N
+    T bending = 0;                         ///< sum w |kappa|
+    T torsion = 0;                         ///< sum w |kappa| tau
+    T plain_tau = 0;                       ///< sum w tau
+    T kappa_low, kappa_high, tau_low, tau_high;
 
-    // (kappa, N) and (-kappa, -N) are the same bend. All are told with N on the side of
-    // the guide that bends most, so that guides on either side of an inflection cancel in
-    // kappa, not in N.
-    GuideVectors<T> normal = in_space(
+    /// The mean torsion, weighted by curvature; the plain mean if no guide bends.
+    T mean_tau() const {
+        return (torsion + kNothing<T> * plain_tau) / (bending + kNothing<T>);
+    }
+};
+
+/// Means over the guides in the middle of an interval.
+///
+/// (kappa, N) and (-kappa, -N) are the same bend. All guides are written with N on the
+/// side of the guide that bends most, so that guides on either side of an inflection
+/// cancel in kappa, not in N.
+template <class T>
+Means<T> means_of(const Child<T>& child, const Row<T>& row) {
+    const std::size_t count = child.guides.size();
+    Means<T> out;
+    out.tangents = in_space(
+        child, [&](std::size_t k) -> const Vec3T<T>& { return row.at[k]->tangent; });
+    out.tangent = mean_direction(child, out.tangents);
+    out.normals = in_space(
         child, [&](std::size_t k) -> const Vec3T<T>& { return row.at[k]->normal; });
-    T kappa_of[kMaxNeighbours] = {};
     std::size_t first = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        kappa_of[k] = row.at[k]->kappa;
-        if (child.weights[k] * kappa_of[k] > child.weights[first] * kappa_of[first])
+        out.kappas[k] = row.at[k]->kappa;
+        if (child.weights[k] * out.kappas[k] > child.weights[first] * out.kappas[first]) {
             first = k;
-    }
-    const Vec3T<T> side = across<T>(normal[first], tangent);
-
-    Vec3T<T> bend = Vec3T<T>::Zero(), normals = Vec3T<T>::Zero();
-    T bending = 0, torsion = 0, plain_tau = 0;
-    T kappa_low = kappa_of[0], kappa_high = 0;
-    T tau_low = row.at[0]->tau, tau_high = tau_low;
-    for (std::size_t k = 0; k < count; ++k) {
-        const T w = child.weights[k], kappa = kappa_of[k], tau = row.at[k]->tau;
-        bending += w * kappa;
-        torsion += w * kappa * tau;
-        plain_tau += w * tau;
-        kappa_high = std::max(kappa_high, kappa);
-        tau_low = std::min(tau_low, tau);
-        tau_high = std::max(tau_high, tau);
-        if (normal[k].dot(side) < 0) {
-            normal[k] = -normal[k];
-            kappa_of[k] = -kappa;
         }
-        kappa_low = std::min(kappa_low, kappa);
-        const Vec3T<T> flat = across<T>(normal[k], tangent);
-        bend += w * kappa_of[k] * flat;
-        normals += w * flat;
     }
-    // Guides that do not bend have no say in torsion; where none bends, all have.
-    const T mean_tau = (torsion + kNothing<T> * plain_tau) / (bending + kNothing<T>);
+    const Vec3T<T> side = across<T>(out.normals[first], out.tangent);
 
-    // kappa~ = |sum w kappa P N| / |sum w P N|
-    const T size = bend.norm();
-    const T printed = (size + kSteady<T> * bending) / (normals.norm() + kSteady<T>);
-    const T kappa = std::clamp(printed, kappa_low, kappa_high);
+    out.kappa_low = out.kappas[0];
+    out.kappa_high = 0;
+    out.tau_low = out.tau_high = row.at[0]->tau;
+    for (std::size_t k = 0; k < count; ++k) {
+        const T w = child.weights[k], kappa = out.kappas[k], tau = row.at[k]->tau;
+        out.bending += w * kappa;
+        out.torsion += w * kappa * tau;
+        out.plain_tau += w * tau;
+        out.kappa_high = std::max(out.kappa_high, kappa);
+        out.tau_low = std::min(out.tau_low, tau);
+        out.tau_high = std::max(out.tau_high, tau);
+        if (out.normals[k].dot(side) < 0) {
+            out.normals[k] = -out.normals[k];
+            out.kappas[k] = -kappa;
+        }
+        out.kappa_low = std::min(out.kappa_low, kappa);
+        const Vec3T<T> flat = across<T>(out.normals[k], out.tangent);
+        out.bend += w * out.kappas[k] * flat;
+        out.flat_sum += w * flat;
+    }
+    return out;
+}
 
-    // kappa~ tau~ = sum w kappa tau (B.B~) / |sum w (B.B~)|, with N~ along the bend. The
-    // quotient by kappa~ leans on the mean as kappa~ goes to zero.
+/// kappa~ = |sum w kappa P N| / |sum w P N|, within the range of the guides' kappa;
+/// `size` = |sum w kappa P N|.
+template <class T>
+T blended_kappa(const Means<T>& means, T size) {
+    const T printed =
+        (size + kSteady<T> * means.bending) / (means.flat_sum.norm() + kSteady<T>);
+    return std::clamp(printed, means.kappa_low, means.kappa_high);
+}
+
+/// tau~, within the range of the guides' tau, from
+/// kappa~ tau~ = sum w kappa tau (B.B~) / |sum w (B.B~)|, with N~ along the bend. The
+/// quotient by kappa~ passes to the mean torsion as kappa~ goes to zero.
+template <class T>
+T blended_tau(const Child<T>& child, const Row<T>& row, const Means<T>& means, T size,
+              T kappa) {
+    const T mean_tau = means.mean_tau();
     T tau = mean_tau;
     if (size > 0) {
-        const Vec3T<T> binormal = tangent.cross(bend) / size;
+        const Vec3T<T> binormal = means.tangent.cross(means.bend) / size;
         T product = 0, binormals = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            const Vec3T<T> own = tangents[k].cross(normal[k]);
-            const T along = child.weights[k] * own.dot(binormal);
-            product += along * kappa_of[k] * row.at[k]->tau;
+        for (std::size_t k = 0; k < child.guides.size(); ++k) {
+            const Vec3T<T> guide_binormal = means.tangents[k].cross(means.normals[k]);
+            const T along = child.weights[k] * guide_binormal.dot(binormal);
+            product += along * means.kappas[k] * row.at[k]->tau;
             binormals += along;
         }
         const T kappa_tau = (product + kSteady<T> * kappa * mean_tau) /
                             (std::abs(binormals) + kSteady<T>);
-        const T floor = T(1e-3) * bending + kNothing<T>, weight = floor * floor;
+        const T floor = kFloor<T> * means.bending + kNothing<T>, weight = floor * floor;
         tau = (kappa_tau * kappa + weight * mean_tau) / (kappa * kappa + weight);
     }
-    return {kappa, std::clamp(tau, tau_low, tau_high)};
+    return std::clamp(tau, means.tau_low, means.tau_high);
+}
+
+template <class T>
+Rates<T> blended_rates(const Child<T>& child, const Row<T>& row) {
+    const Means<T> means = means_of(child, row);
+    const T size = means.bend.norm(), kappa = blended_kappa(means, size);
+    return {kappa, blended_tau(child, row, means, size, kappa)};
 }
 
 }  // namespace
@@ -219,7 +250,7 @@ void blend_option1(const Child<T>& child, const GuideProfiles<T>& guides,
     Row<T> row(child, guides, 0);
     HelixState<T> state{root_frame_of(child, row), Vec3T<T>::Zero()};
     states[0] = state;
-    Angle<T> angle;  // of N~ from n1: the turns so far
+    Angle<T> angle;  // of N~ from n1, summed over the joints so far
     for (int i = 0; i < guides.count; ++i) {
         if (i > 0) {
             const Row<T> next(child, guides, i);

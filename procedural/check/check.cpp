@@ -163,7 +163,7 @@ CheckReport check(const Binding& binding, const Guides& guides,
                       bounds(curves).cast<double>()};
     CheckReport report;
     report.tolerances = tolerances;
-    report.hull_applies = blend == Blend::option1;
+    report.hull_applies = traits_of(blend).keeps_hull;
     report.strands.resize(binding.size());
     using Range = tbb::blocked_range<std::size_t>;
     each_class(classed.classes, binding,
@@ -174,7 +174,7 @@ CheckReport check(const Binding& binding, const Guides& guides,
                    cancellable_for(Range(first, last, 256), [&](const Range& range) {
                        std::vector<MeasuredInterval> measured;
                        each_strand(
-                           binding, profiles, classed.kernel(c), blend, range.begin(),
+                           {binding, profiles, classed.kernel(c), blend}, range.begin(),
                            range.end(),
                            [&](std::size_t i, std::span<const HelixState<float>> states) {
                                report.strands[i] =

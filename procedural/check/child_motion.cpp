@@ -27,7 +27,7 @@ class Seen {
         for (std::size_t k = 0; k < bound_.count; ++k) {
             length += bound_.weights[k] * profiles_.lengths[bound_.guides[k]];
             // Positions are blended as they stand in space.
-            const Mat3& turn = blend == Blend::position
+            const Mat3& turn = traits_of(blend).mean_places
                                    ? profiles_.root_frames[bound_.guides[k]]
                                    : bound_.to_space[k];
             turns_[k] = unturn_ * turn;
@@ -85,7 +85,8 @@ ChildMotion child_motion(const Moment& a, const Moment& b, Blend blend, std::siz
         }
     }
     if (const auto bound = amplification_bound(blend)) out.bound = *bound * out.guides;
-    if (blend == Blend::detail) {
+    const BlendTraits& traits = traits_of(blend);
+    if (traits.anchored && traits.rates == BlendRates::copied) {
         const BoundChild<double> from = before.carried(), to = after.carried();
         out.bound = anchored_motion_limit(
             {from.child(), to.child(), before.profiles(), after.profiles()});
@@ -124,7 +125,7 @@ TemporalReport temporal_check(const Moment& a, const Moment& b, Blend blend) {
 
 std::optional<double> amplification_bound(Blend blend) {
     // A place is the weighted mean of the guides', and so is its step.
-    if (blend == Blend::position) return 1;
+    if (traits_of(blend).mean_places) return 1;
     return std::nullopt;
 }
 

@@ -41,7 +41,7 @@ StrandValues values_of(const Binding& binding, const ClassedGuides& guides, Blen
                 }
             };
             cancellable_for(Range(first, last, 256), [&](const Range& range) {
-                each_strand(binding, guides.profiles[c], guides.kernel(c), blend,
+                each_strand({binding, guides.profiles[c], guides.kernel(c), blend},
                             range.begin(), range.end(), put);
             });
         });

@@ -92,7 +92,7 @@ Eigen::AlignedBox3d box_of(const Binding& chunk, std::size_t first, std::size_t 
                 const float ds = chunk.lengths[i] / float(n);
                 if (strand.tangents.empty()) {
                     bspline_points(states, ds, root, {}, strand.points,
-                                   ends_of(settings.blend));
+                                   traits_of(settings.blend).ends);
                 } else {
                     hermite_points(states, ds, root, {}, strand.points, strand.tangents);
                     if (settings.basis == CurveBasis::catmull_rom) {
@@ -103,7 +103,7 @@ Eigen::AlignedBox3d box_of(const Binding& chunk, std::size_t first, std::size_t 
                 extend_by_helices(out, states, root.cast<double>(), ds);
                 extend_by_curve(out, strand);
             };
-            each_strand(chunk, profiles, guides, settings.blend, range.begin(),
+            each_strand({chunk, profiles, guides, settings.blend}, range.begin(),
                         range.end(), extend_by);
             return out;
         },

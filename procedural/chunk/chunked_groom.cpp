@@ -30,7 +30,7 @@ ChunkedGroom make_chunked_groom(const GroomSettings& groom, std::uint32_t most,
 
 Vec3f place_of(const ChunkedGroom& groom, std::uint32_t child) {
     const auto& scalp = groom.ready.source.scalp;
-    if (!scalp) return groom.places.own.positions[child];
+    if (!scalp) return groom.places.on_strands.positions[child];
     return scalp_position(*scalp, groom.places.on_scalp[child]).cast<float>();
 }
 

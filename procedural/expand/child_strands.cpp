@@ -47,8 +47,9 @@ Strands child_strands(const Binding& binding, const ClassedGuides& guides,
     each_class(
         guides.classes, binding, [&](std::size_t c, std::size_t first, std::size_t last) {
             cancellable_for(Range(first, last, settings.chunk), [&](const Range& chunk) {
-                each_strand(binding, guides.profiles[c], guides.kernel(c), settings.blend,
-                            chunk.begin(), chunk.end(), put);
+                each_strand(
+                    {binding, guides.profiles[c], guides.kernel(c), settings.blend},
+                    chunk.begin(), chunk.end(), put);
             });
         });
     return out;

@@ -83,7 +83,7 @@ struct CoarseChild {
         tangents.resize(n + 1);
         if (settings.basis == CurveBasis::bspline) {
             bspline_points(states, ds, Vec3f::Zero(), {}, points,
-                           ends_of(settings.blend));
+                           traits_of(settings.blend).ends);
         } else if (settings.basis == CurveBasis::hermite) {
             hermite_points(states, ds, Vec3f::Zero(), {}, points, tangents);
         } else {

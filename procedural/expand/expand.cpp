@@ -117,7 +117,7 @@ class PartExpansion {
             const Taper taper = settings_.taper.times(binding_.roots.width(i));
             if (!kernel_ && basis_ == CurveBasis::bspline) {
                 bspline_points(states, ds, root, taper, rows.of(rows.points, i),
-                               ends_of(settings_.blend));
+                               traits_of(settings_.blend).ends);
             } else if (!kernel_) {
                 hermite_points(states, ds, root, taper, rows.of(rows.points, i),
                                rows.of(rows.tangents, i));
@@ -129,8 +129,8 @@ class PartExpansion {
                 normals_in_basis(settings_.basis, ribbon, strand(out_.normals, i));
             }
         };
-        each_strand(binding_, profiles, *part_.guides, settings_.blend, rows.first, last,
-                    put);
+        each_strand({binding_, profiles, *part_.guides, settings_.blend}, rows.first,
+                    last, put);
     }
 
     void expand(std::size_t first, std::size_t last) {

@@ -13,7 +13,7 @@ namespace {
 
 /// Whether n1 at the root is where the bend points, and not carried from the guides.
 bool frame_follows_bend(Blend blend) {
-    return blend == Blend::option1 || blend == Blend::option1_anchored;
+    return traits_of(blend).rates == BlendRates::blended;
 }
 
 /// n1 of child i's heaviest guide, swung onto the child's tangent, as an angle in

@@ -131,7 +131,8 @@ Farthest farthest_child(const Binding& binding, const GuideProfiles<float>& prof
                 synthesize_child<float>(binding, profiles, blend, i, states);
                 const float ds = binding.lengths[i] / float(profiles.count);
                 worst = farther(
-                    worst, {emission_distance(states, ds, basis, ends_of(blend)), i});
+                    worst,
+                    {emission_distance(states, ds, basis, traits_of(blend).ends), i});
             }
             return worst;
         },

@@ -1,45 +1,43 @@
 #pragma once
-// Children before their control points are made: frames and places.
+// The shapes of children, frames and places, before control points are made from them.
 
 #include <algorithm>
 #include <span>
 #include <vector>
 
 #include "procedural/bind/child.h"
-#include "procedural/curves/control_points.h"
 #include "procedural/kernels/kernel_guides.h"
 
 namespace lancret {
 
-/// How the strands of a blend go on beyond their ends. The places of `position` are
-/// weighted sums, and so are its ends: of frames that are carried along they know
-/// nothing.
-constexpr Ends ends_of(Blend blend) {
-    return blend == Blend::position ? Ends::parabola : Ends::helix;
-}
+/// Children and the guides that shape them.
+struct SynthesisInput {
+    const Binding& binding;
+    const GuideProfiles<float>& profiles;
+    const KernelGuides& guides;  ///< of `profiles`; if empty, no kernel is used
+    Blend blend;
+};
 
-/// Children [first, first + count) as `expand` synthesises them: by the kernel where
-/// there is one with frames, else by the scalar blends. profiles.count + 1 places of each
-/// in `states`.
-void synthesize(const Binding& binding, const GuideProfiles<float>& profiles,
-                const KernelGuides& guides, Blend blend, std::size_t first,
-                std::size_t count, std::span<HelixState<float>> states);
+/// Synthesises children [first, first + count) exactly as `expand` does: with the curl
+/// kernel if the blend has it, otherwise with the scalar blend. Writes profiles.count + 1
+/// places per child to `states`.
+void synthesize(const SynthesisInput& in, std::size_t first, std::size_t count,
+                std::span<HelixState<float>> states);
 
-/// visit(i, places of child i) for the children [first, last), which are synthesised some
-/// at a time.
+/// Calls visit(i, states of child i) for the children [first, last), which are
+/// synthesised in batches.
 template <class Visit>
-void each_strand(const Binding& binding, const GuideProfiles<float>& profiles,
-                 const KernelGuides& guides, Blend blend, std::size_t first,
-                 std::size_t last, const Visit& visit) {
+void each_strand(const SynthesisInput& in, std::size_t first, std::size_t last,
+                 const Visit& visit) {
     constexpr std::size_t kTogether = 64;
-    const std::size_t places = std::size_t(profiles.count) + 1;
-    std::vector<HelixState<float>> several(std::min(kTogether, last - first) * places);
+    const std::size_t places = std::size_t(in.profiles.count) + 1;
+    std::vector<HelixState<float>> batch(std::min(kTogether, last - first) * places);
     for (std::size_t i = first; i < last; i += kTogether) {
         const std::size_t count = std::min(kTogether, last - i);
-        synthesize(binding, profiles, guides, blend, i, count, several);
+        synthesize(in, i, count, batch);
         for (std::size_t s = 0; s < count; ++s) {
-            visit(i + s, std::span<const HelixState<float>>(several).subspan(s * places,
-                                                                             places));
+            visit(i + s,
+                  std::span<const HelixState<float>>(batch).subspan(s * places, places));
         }
     }
 }

@@ -27,8 +27,8 @@ RootPlaces child_places(const GroomSettings& groom, const PlacedGuides& source) 
     const std::uint32_t count =
         child_count(groom, source.scalp.has_value(), source.grown_roots.size());
     if (!source.scalp) {
-        out.own = own_roots(source.grown_roots, source.grown_tangents, count, groom.seed,
-                            groom.name);
+        out.on_strands = roots_of_strands(source.grown_roots, source.grown_tangents,
+                                          count, groom.seed, groom.name);
         return out;
     }
     const double everywhere = std::numeric_limits<double>::infinity();
@@ -72,7 +72,7 @@ Binding bind_children(const GroomSettings& groom, const PlacedGuides& source,
     borders.child_regions = child_regions(source.regions, source.grown_roots, roots);
     const Partings partings(source.partings);
     if (partings.size() > 0) borders.partings = &partings;
-    return lancret::bind(std::move(roots), source.guides, *source.bound, source.normals,
+    return lancret::bind(std::move(roots), source.guides, *source.lookup, source.normals,
                          groom.bind, borders);
 }
 

@@ -83,10 +83,10 @@ void read_strands(const TomlTable& strands, GroomSettings& out) {
     set(out.strands, strands.integer("count", 1, kMaxStrands));
     set(out.seed, strands.seed("seed"));
     set(out.density, strands.number("density", kMinDensity, 1));
-    std::vector<std::string_view> blends;
-    for (const BlendName& entry : kBlendNames) blends.push_back(entry.name);
-    if (const auto blend = strands.choice("blend", blends)) {
-        out.expand.blend = kBlendNames[*blend].blend;
+    std::vector<std::string_view> names;
+    for (const BlendTraits& entry : blends()) names.push_back(entry.name);
+    if (const auto blend = strands.choice("blend", names)) {
+        out.expand.blend = blends()[*blend].blend;
     }
     set(out.bind.neighbours, strands.integer("neighbours", 1, kMaxNeighbours));
     set(out.bind.exponent, strands.number("exponent", 0, 16));

@@ -15,7 +15,7 @@
 #include "guides/files/obj_file.h"
 #include "guides/made/made_lawn.h"
 #include "guides/mesh/closest_point.h"
-#include "procedural/bind/guide_index.h"
+#include "procedural/bind/guide_lookup.h"
 
 namespace lancret {
 
@@ -228,7 +228,7 @@ PlacedGuides groom_guides(const GroomSettings& groom, const StageCallback& stage
         out.guide_regions = out.regions.strands;
         out.partings = groom_partings(groom, {}, out.scalp, out.warnings);
         stand_on_scalp(out);
-        out.bound = std::make_shared<GuideLookup>(out.guides, out.guide_regions);
+        out.lookup = std::make_shared<GuideLookup>(out.guides, out.guide_regions);
         out.seconds.load = watch.lap();
         return out;
     }
@@ -262,7 +262,7 @@ PlacedGuides groom_guides(const GroomSettings& groom, const StageCallback& stage
                                        out.guides.root_positions);
     }
     stand_on_scalp(out);
-    out.bound = std::make_shared<GuideLookup>(out.guides, out.guide_regions);
+    out.lookup = std::make_shared<GuideLookup>(out.guides, out.guide_regions);
     out.grown_roots = roots.positions;
     out.grown_tangents = roots.tangents;
     out.seconds.fit = watch.lap();

@@ -31,14 +31,14 @@ struct PlacedGuides {
     std::vector<Vec3> grown_roots;     ///< of every strand of the groom, cm
     std::vector<Vec3> grown_tangents;  ///< there
     Regions regions;                   ///< of the groom's strands
-    std::vector<std::uint32_t> guide_regions;  ///< [guides], or empty: all are one
-    std::shared_ptr<const GuideLookup> bound;  ///< the guides as binding reads them
-    std::vector<Polyline> partings;            ///< cm, on the scalp where there is one
-    StageSeconds seconds;                      ///< load and fit
-    std::size_t groom_strands = 0;             ///< in the groom's file
-    std::size_t snapped_roots = 0;             ///< guides whose root was off the scalp
-    double largest_snap = 0;                   ///< cm
-    std::vector<std::string> warnings;         ///< a line each
+    std::vector<std::uint32_t> guide_regions;   ///< [guides], or empty: all are one
+    std::shared_ptr<const GuideLookup> lookup;  ///< what binding reads of the guides
+    std::vector<Polyline> partings;             ///< cm, on the scalp where there is one
+    StageSeconds seconds;                       ///< load and fit
+    std::size_t groom_strands = 0;              ///< in the groom's file
+    std::size_t snapped_roots = 0;              ///< guides whose root was off the scalp
+    double largest_snap = 0;                    ///< cm
+    std::vector<std::string> warnings;          ///< a line each
 };
 
 /// The strands that a groom starts from, cm.

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "procedural/bind/child.h"
+#include "procedural/blend/option1_constants.h"
 #include "procedural/kernels/curl_kernel.h"
 #include "procedural/kernels/strand_batch.h"
 // after what they use, each after the other
@@ -32,10 +33,9 @@ namespace lancret::HWY_NAMESPACE {
 /// Children [first, first + used), in frames and places.
 void synthesize(const KernelInput& in, std::size_t first, std::size_t used,
                 StrandBatch& batch) {
-    const bool with_anchor =
-        in.blend == Blend::detail || in.blend == Blend::option1_anchored;
-    const bool own_rates =
-        in.blend == Blend::option1 || in.blend == Blend::option1_anchored;
+    const BlendTraits& traits = traits_of(in.blend);
+    const bool with_anchor = traits.anchored;
+    const bool own_rates = traits.rates == BlendRates::blended;
     fill_batch(in, first, used, with_anchor, own_rates, batch);
     store4(lanes_start(batch, own_rates), batch.frames.get());
     LanesSpine own = walk(in, with_anchor, batch);

@@ -66,14 +66,14 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
         }
         curvatures[lane] = &in.guides.curvatures[heaviest * 3 * batch.stride];
         const float ds = binding.lengths[i] / float(batch.intervals);
-        const float most = with_anchor ? kMaxTurnAnchored : kMaxTurnAlone;
-        bool scalar = !own_rates && !(in.guides.most_curved[heaviest] * ds <= most);
+        const float max_turn = with_anchor ? kMaxTurnAnchored : kMaxTurnAlone;
+        bool scalar = !own_rates && !(in.guides.most_curved[heaviest] * ds <= max_turn);
         for (std::size_t k = 0; k < child.count; ++k) {
             const Vec3f& normal = binding.guide_normals[child.guides[k]];
             scalar = scalar || !(normal.dot(up) >= kOpposedCosine);
         }
         batch.scalar[lane] = scalar;
-        if (own_rates) fill_option1(in, i, lane, most, batch);
+        if (own_rates) fill_option1(in, i, lane, max_turn, batch);
         if (with_anchor) fill_guides(in.guides, in.profiles, lane, batch);
     }
     const std::size_t n = batch.intervals, stride = batch.stride;

@@ -5,7 +5,6 @@
 
 #include "guides/base/cancel.h"
 #include "procedural/curves/control_points.h"
-#include "procedural/kernels/strand_kernels.h"
 
 namespace lancret {
 
@@ -122,10 +121,11 @@ KernelGuides kernel_guides(const GuideProfiles<float>& profiles,
     if (normals.size() != profiles.size()) {
         throw std::invalid_argument("kernel_guides: a normal for each guide expected");
     }
-    const bool places = blend == Blend::position;
-    const bool frenet = blend == Blend::option1 || blend == Blend::option1_anchored;
+    const BlendTraits& traits = traits_of(blend);
+    const bool places = traits.kernel == BlendKernel::position;
+    const bool frenet = traits.rates == BlendRates::blended;
     KernelGuides out;
-    if (!places && !is_curl(blend)) return out;
+    if (traits.kernel == BlendKernel::none) return out;
     out.size = profiles.size();
     out.count = std::size_t(profiles.count);
     out.point_stride = padded(out.count + 3);

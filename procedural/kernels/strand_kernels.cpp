@@ -5,13 +5,16 @@
 
 namespace lancret {
 
-bool is_curl(Blend blend) {
-    return blend == Blend::detail || blend == Blend::nearest || blend == Blend::option1 ||
-           blend == Blend::option1_anchored;
-}
-
 bool has_kernel(Blend blend, CurveBasis basis) {
-    return is_curl(blend) || (blend == Blend::position && basis == CurveBasis::bspline);
+    switch (traits_of(blend).kernel) {
+        case BlendKernel::none:
+            return false;
+        case BlendKernel::curl:
+            return true;
+        case BlendKernel::position:
+            return basis == CurveBasis::bspline;
+    }
+    return false;
 }
 
 void synthesize_strands(const KernelInput& in, std::size_t first, std::size_t count,
@@ -20,7 +23,8 @@ void synthesize_strands(const KernelInput& in, std::size_t first, std::size_t co
 }
 
 void expand_strands(const KernelInput& in, const KernelOutput& out) {
-    (is_curl(in.blend) ? expand_curls : expand_positions)(in, out);
+    const bool curl = traits_of(in.blend).kernel == BlendKernel::curl;
+    (curl ? expand_curls : expand_positions)(in, out);
 }
 
 }  // namespace lancret

@@ -13,10 +13,7 @@
 
 namespace lancret {
 
-/// Whether the blend goes along curvatures and has a kernel for them.
-bool is_curl(Blend blend);
-
-/// Whether there is a kernel; where there is none, the scalar blends serve.
+/// Whether a kernel writes the control points; if not, the scalar blends do.
 bool has_kernel(Blend blend, CurveBasis basis);
 
 /// Frames and places of `count` children from `first` on, as their control points are

@@ -17,22 +17,11 @@ namespace lancret {
 
 namespace {
 
-constexpr std::uint64_t kOwnRootSalt = 0x726f6f74;  // "root"
+constexpr std::uint64_t kStrandRootSalt = 0x726f6f74;  // "root"
 constexpr std::size_t kNormalNeighbours = 8;
 
-}  // namespace
-
-double growth_of_spacing(std::span<const Vec3> grown) {
-    std::vector<double> spacing = neighbour_distances(grown);
-    const std::size_t nth = spacing.size() * 9 / 10;
-    std::ranges::nth_element(spacing, spacing.begin() + std::ptrdiff_t(nth));
-    return 1.5 * spacing[nth];
-}
-
-namespace {
-
-/// Roots at places on a scalp.
-Roots stood_on(const Scalp& scalp, std::vector<MeshPoint> places) {
+/// The roots at places on a scalp.
+Roots scalp_roots_at(const Scalp& scalp, std::vector<MeshPoint> places) {
     Roots out;
     out.places = std::move(places);
     const std::size_t count = out.places.size();
@@ -52,6 +41,13 @@ Roots stood_on(const Scalp& scalp, std::vector<MeshPoint> places) {
 
 }  // namespace
 
+double growth_of_spacing(std::span<const Vec3> grown) {
+    std::vector<double> spacing = neighbour_distances(grown);
+    const std::size_t nth = spacing.size() * 9 / 10;
+    std::ranges::nth_element(spacing, spacing.begin() + std::ptrdiff_t(nth));
+    return 1.5 * spacing[nth];
+}
+
 std::vector<MeshPoint> places_on_scalp(const Scalp& scalp, std::span<const Vec3> grown,
                                        std::uint32_t count, std::uint64_t seed,
                                        double growth) {
@@ -65,13 +61,9 @@ std::vector<MeshPoint> places_on_scalp(const Scalp& scalp, std::span<const Vec3>
     return scalp_roots(scalp, count, seed, near);
 }
 
-Roots roots_on_scalp(const Scalp& scalp, std::span<const Vec3> grown, std::uint32_t count,
-                     std::uint64_t seed, double growth) {
-    return stood_on(scalp, places_on_scalp(scalp, grown, count, seed, growth));
-}
-
 Roots roots_at(const Scalp* scalp, RootPlaces places) {
-    return scalp ? stood_on(*scalp, std::move(places.on_scalp)) : std::move(places.own);
+    return scalp ? scalp_roots_at(*scalp, std::move(places.on_scalp))
+                 : std::move(places.on_strands);
 }
 
 Roots roots_at(const Scalp* scalp, const RootPlaces& places,
@@ -81,26 +73,27 @@ Roots roots_at(const Scalp* scalp, const RootPlaces& places,
         std::vector<MeshPoint> chosen;
         chosen.reserve(which.size());
         for (const std::uint32_t i : which) chosen.push_back(places.on_scalp[i]);
-        out = stood_on(*scalp, std::move(chosen));
+        out = scalp_roots_at(*scalp, std::move(chosen));
     } else {
-        out = picked(places.own, which);
+        out = picked(places.on_strands, which);
     }
     out.ids.assign(which.begin(), which.end());
     return out;
 }
 
-Roots own_roots(std::span<const Vec3> grown, std::span<const Vec3> tangents,
-                std::uint32_t count, std::uint64_t seed, const std::string& name) {
+Roots roots_of_strands(std::span<const Vec3> grown, std::span<const Vec3> tangents,
+                       std::uint32_t count, std::uint64_t seed, const std::string& name) {
     if (count > grown.size()) {
         throw InputError(
-            fmt::format("{}: {} children need a surface to stand on, and the groom has "
-                        "{} roots of its own: "
-                        "name a mesh with --scalp, or ask for fewer --strands",
+            fmt::format("{}: {} children need a scalp, as the groom has only {} roots of "
+                        "its own: name a mesh with --scalp, or request fewer --strands",
                         name, count, grown.size()));
     }
     std::vector<std::uint32_t> order(grown.size());
     std::iota(order.begin(), order.end(), 0u);
-    const auto rank = [&](std::uint32_t i) { return hash_bits(seed, i, kOwnRootSalt); };
+    const auto rank = [&](std::uint32_t i) {
+        return hash_bits(seed, i, kStrandRootSalt);
+    };
     std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
         return std::pair(rank(a), a) < std::pair(rank(b), b);
     });

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kRankSalt = 0x72616e6b;  // "rank"
 
-/// h of the header.
+/// h in density.h.
 double half_fade(double density) { return std::min(kFade * density, 1 - density); }
 
 }  // namespace
@@ -29,17 +29,9 @@ double width_at(double rank, double density) {
     return (density + h - rank) / (2 * h * density);
 }
 
-double area_deviation(double density, std::size_t strands) {
-    // The square of a fade from 1 to 0 over 2h has the integral 2h / 3.
-    const double h = half_fade(density);
-    const double square = (density - h + 2 * h / 3) / (density * density);
-    return std::sqrt(std::max(0.0, square - 1) /
-                     double(std::max<std::size_t>(1, strands)));
-}
-
 double lod_density(double pixels, std::size_t strands, double strands_per_pixel) {
     if (strands == 0) return 1;
-    // Written so that a NaN grows all.
+    // A NaN gives density 1.
     const double density = pixels * strands_per_pixel / double(strands);
     return density < 1 ? std::max(density, kMinDensity) : 1;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Where children stand.
+// The roots of children.
 
 #include <cstdint>
 #include <span>
@@ -9,16 +9,15 @@
 
 namespace lancret {
 
-/// Roots at rest. With a scalp each names its place on the mesh, to follow it as it
-/// moves.
+/// Roots at rest. With a scalp, each also has its place on the mesh, so that it can
+/// follow the mesh as it moves.
 struct Roots {
-    std::vector<Vec3f> positions;   ///< [size], cm
-    std::vector<Vec3f> normals;     ///< [size], unit, out of the scalp
-    std::vector<Vec2f> uvs;         ///< [size], or empty without a scalp
-    std::vector<MeshPoint> places;  ///< [size], or empty without a scalp
-    std::vector<std::uint32_t>
-        ids;                    ///< [size], of the strands, each once; empty: 0, 1 ...
-    std::vector<float> widths;  ///< [size], of a strand over its own; empty: all are 1
+    std::vector<Vec3f> positions;    ///< [size], cm
+    std::vector<Vec3f> normals;      ///< [size], unit, out of the scalp
+    std::vector<Vec2f> uvs;          ///< [size]; empty without a scalp
+    std::vector<MeshPoint> places;   ///< [size]; empty without a scalp
+    std::vector<std::uint32_t> ids;  ///< [size], unique strand ids; empty: 0, 1 ...
+    std::vector<float> widths;  ///< [size], relative to full density; empty: all are 1
 
     std::size_t size() const { return positions.size(); }
     std::uint32_t id(std::size_t i) const {
@@ -32,7 +31,7 @@ struct Roots {
     }
 };
 
-/// Some roots, in the order of `which`, with their ids.
+/// The roots `which`, in this order, with their ids.
 Roots picked(const Roots& roots, std::span<const std::uint32_t> which);
 
 }  // namespace lancret

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "guides/base/errors.h"
+#include "procedural/bind/report.h"
 
 namespace lancret {
 
@@ -44,12 +45,9 @@ std::vector<const float*> arrays_at(std::vector<Curves>& curves,
 void add(lancret_chunk_info& to, const lancret_chunk_info& more) {
     to.strands += more.strands;
     to.bytes += more.bytes;
-    to.no_facing_guide += more.no_facing_guide;
-    to.no_guide_in_reach += more.no_guide_in_reach;
-    to.no_guide_in_sight += more.no_guide_in_sight;
-    to.no_guide_in_region += more.no_guide_in_region;
-    to.opposed_root_frames += more.opposed_root_frames;
-    to.straight_guides += more.straight_guides;
+    for (const auto& [counter, field] : kBindCounterFields<lancret_chunk_info>) {
+        to.*field += more.*field;
+    }
 }
 
 }  // namespace

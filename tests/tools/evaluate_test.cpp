@@ -22,8 +22,8 @@ TEST(Evaluate, JsonHasEveryFigureOfEveryBlend) {
     EXPECT_EQ(json["default"], blend_name(ExpandSettings{}.blend));
     EXPECT_EQ(json["guides"], 9);
     EXPECT_EQ(json["strands"], 25);
-    EXPECT_EQ(json["blends"].size(), std::size(kBlendNames));
-    for (const BlendName& entry : kBlendNames) {
+    EXPECT_EQ(json["blends"].size(), blends().size());
+    for (const BlendTraits& entry : blends()) {
         EXPECT_THAT(run.out, HasSubstr(std::string(entry.name)));
         const auto& blend = json["blends"][std::string(entry.name)];
         for (const char* figure :

@@ -163,7 +163,7 @@ CheckView view_of(const ViewRequest& request, const PluginGroom& plugin,
             out.scale = size_scale(Kind::sequential, out.values.values, 0);
             break;
         case View::torsion:
-            if (!has_torsion(groom.expand.blend)) {
+            if (!traits_of(groom.expand.blend).has_torsion) {
                 throw InputError(fmt::format(
                     "--view torsion: the blend {} carries frames without twist, and so "
                     "without torsion",

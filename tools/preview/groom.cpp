@@ -13,12 +13,11 @@ namespace lancret {
 namespace {
 
 BindReport report_of(const lancret_chunk_info& info) {
-    return {.no_facing_guide = info.no_facing_guide,
-            .no_guide_in_reach = info.no_guide_in_reach,
-            .no_guide_in_sight = info.no_guide_in_sight,
-            .no_guide_in_region = info.no_guide_in_region,
-            .opposed_root_frames = info.opposed_root_frames,
-            .straight_guides = info.straight_guides};
+    BindReport out;
+    for (const auto& [counter, field] : kBindCounterFields<lancret_chunk_info>) {
+        out.*counter = info.*field;
+    }
+    return out;
 }
 
 }  // namespace

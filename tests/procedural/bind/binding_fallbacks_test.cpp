@@ -117,7 +117,7 @@ TEST(BindingFallbacks, CountsChildrenThatPartingsShutIn) {
 /// than the intended ones: a control polygon of a curve that is as long as it should be
 /// is longer by a few per cent at most, and a NaN is neither.
 void expect_sound(const Binding& binding, const Guides& guides) {
-    for (const BlendName& blend : kBlendNames) {
+    for (const BlendTraits& blend : blends()) {
         const auto profiles = guide_profiles<float>(guides, 32);
         const Curves curves = expand(binding, profiles, {.blend = blend.blend});
         const std::size_t points = curves.points.size() / binding.size();

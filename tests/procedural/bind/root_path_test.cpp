@@ -58,7 +58,7 @@ TEST(RootPath, SumsAreSmoothAndDetailJumpsOnlyWhereTheHeaviestGuideChanges) {
     groom.guides.number = 150;
     groom.strands = 1;
     const ReadyGroom made = make_ready_groom(groom);
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         SCOPED_TRACE(entry.name);
         const Jumps coarse = jumps_of(made, entry.blend, 2000),
                     fine = jumps_of(made, entry.blend, 4000);
@@ -67,10 +67,7 @@ TEST(RootPath, SumsAreSmoothAndDetailJumpsOnlyWhereTheHeaviestGuideChanges) {
                    fine.at);
         // Half the step, half the largest difference; weights are Lipschitz, not smooth,
         // so that the largest may fall between steps.
-        const bool sums = entry.blend == Blend::position ||
-                          entry.blend == Blend::option3 ||
-                          entry.blend == Blend::option2 || entry.blend == Blend::bishop;
-        if (sums) {
+        if (entry.rates == BlendRates::none) {
             EXPECT_LT(fine.place, 0.6 * coarse.place);
         }
         if (entry.blend == Blend::detail) {

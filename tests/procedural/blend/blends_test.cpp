@@ -18,9 +18,15 @@ bool keeps_length(Blend blend) {
     return blend != Blend::position && blend != Blend::option3;
 }
 
-class EveryBlend : public testing::TestWithParam<BlendName> {
+std::vector<Blend> all_blends() {
+    std::vector<Blend> out;
+    for (const BlendTraits& traits : blends()) out.push_back(traits.blend);
+    return out;
+}
+
+class EveryBlend : public testing::TestWithParam<Blend> {
   protected:
-    Blend blend() const { return GetParam().blend; }
+    Blend blend() const { return GetParam(); }
 
     template <class T>
     std::vector<HelixState<T>> states_of(const MadeChild<T>& made,
@@ -114,9 +120,9 @@ TEST_P(EveryBlend, HasPlacesAtNumbersWhereGuidesCancel) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Blends, EveryBlend, testing::ValuesIn(kBlendNames),
+INSTANTIATE_TEST_SUITE_P(Blends, EveryBlend, testing::ValuesIn(all_blends()),
                          [](const auto& blend) {
-                             std::string name(blend.param.name);
+                             std::string name(blend_name(blend.param));
                              std::ranges::replace(name, '-', '_');
                              return name;
                          });

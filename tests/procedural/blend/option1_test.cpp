@@ -168,7 +168,7 @@ TEST(PositionBlend, MeetsTheMeanTipAndLosesLength) {
 }
 
 TEST(Blend, NamesGoBothWays) {
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         EXPECT_EQ(blend_named(blend_name(entry.blend)), entry.blend);
     }
     EXPECT_EQ(blend_named("nothing"), std::nullopt);

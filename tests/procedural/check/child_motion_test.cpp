@@ -65,7 +65,7 @@ constexpr Blend kNeverPop[] = {Blend::detail, Blend::option2, Blend::option3,
 
 TEST(Temporal, NothingPopsAsGuidesPassThroughTheHardCases) {
     constexpr int kSteps = 200;
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         const auto bound = amplification_bound(entry.blend);
         for (const HardCase& hard : kHardCases) {
             SCOPED_TRACE(fmt::format("{}, {}", entry.name, hard.name));
@@ -120,7 +120,7 @@ TEST(Temporal, ATurnOfTheWholeHeadIsNoMotion) {
     for (Mat3& f : guides.root_frames) f = turn * f;
     const auto after = guide_profiles<double>(guides, 12);
     const RigidPose pose{turn, Vec3(5, 6, 7)};
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         const TemporalReport report =
             temporal_check({&hair.binding, &before, {&kStill, 1}},
                            {&turned, &after, {&pose, 1}}, entry.blend);

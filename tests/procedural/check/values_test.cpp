@@ -65,7 +65,7 @@ TEST(CheckValues, CurvatureAndTorsionAreThoseOfAHelix) {
     const auto profiles = guide_profiles<float>(guides, 20);
     const float tolerance = 4e-6f / 0.5f;
     for (const Blend blend : {Blend::detail, Blend::option1, Blend::nearest}) {
-        ASSERT_TRUE(has_torsion(blend));
+        ASSERT_TRUE(traits_of(blend).has_torsion);
         const ClassedGuides classed = one_class(profiles, binding.guide_normals, blend);
         const StrandValues kappa = curvature_values(binding, classed, blend);
         const StrandValues tau = torsion_values(binding, classed, blend);

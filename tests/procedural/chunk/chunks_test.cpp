@@ -144,7 +144,7 @@ TEST(Chunks, HaveTheBitsOfTheWholeAtAnyDensity) {
 
 /// All of a chunk's box and what is seen of it, on hair of blends, bases and widths.
 TEST(ChunkBox, HoldsItsStrandsTightly) {
-    for (const BlendName& named : kBlendNames) {
+    for (const BlendTraits& named : blends()) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
             const MadeHair hair(600, 24, 7, 4, 4, 0.5);
             const ExpandSettings settings{
@@ -165,7 +165,7 @@ TEST(ChunkBox, HoldsItsStrandsTightly) {
 
 /// One by one, where nothing else hides an end, and coarsely cut.
 TEST(ChunkBox, HoldsEachStrandByItself) {
-    for (const BlendName& named : kBlendNames) {
+    for (const BlendTraits& named : blends()) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
             for (const int n : {1, 2, 4, 8}) {
                 const MadeHair hair(60, n, 7, 4, 4, n < 4 ? 0.1 : 0.5);
@@ -244,7 +244,7 @@ TEST(ChunkBox, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
 }
 
 TEST(ChunkBox, ReachHoldsEveryBlendOfTheChunk) {
-    for (const BlendName& named : kBlendNames) {
+    for (const BlendTraits& named : blends()) {
         GroomSettings groom = small_groom();
         groom.expand.blend = named.blend;
         groom.intervals = 8;  // coarse: control points stray most

@@ -35,7 +35,7 @@ TEST(Evaluation, StrandsThatAreAllTheSameArePredictedByEveryBlend) {
         const HoldOut taken =
             leave_out(same_strands(turns), nullptr, {.guides = {.number = 9}}, "g");
         const auto profiles = profiles_of(taken);
-        for (const BlendName& entry : kBlendNames) {
+        for (const BlendTraits& entry : blends()) {
             const BlendEvaluation found = evaluate_blend(taken, profiles, entry.blend);
             // Nothing is left but what the guide itself is off its strand, and float's
             // round-off: 6e-8 a step over 128 steps at most, and of places up to 20 cm

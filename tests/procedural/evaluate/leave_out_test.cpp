@@ -69,7 +69,7 @@ TEST(HoldOut, NothingOfALeftOutStrandButItsRootReachesItsPrediction) {
         ASSERT_EQ(n, evaluation_intervals(other.guides));
         const auto profiles = guide_profiles<float>(taken.guides, n);
         const auto other_profiles = guide_profiles<float>(other.guides, n);
-        for (const BlendName& entry : kBlendNames) {
+        for (const BlendTraits& entry : blends()) {
             const Prediction a = predict(taken, profiles, entry.blend);
             const Prediction b = predict(other, other_profiles, entry.blend);
             EXPECT_EQ(std::memcmp(a.strands.points.data(), b.strands.points.data(),

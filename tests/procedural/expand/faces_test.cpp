@@ -70,7 +70,7 @@ TEST(RibbonFaces, StayWhereABendSwingsThroughStraight) {
     // spines round to by 0.05: 2 * 5e-7 / 0.05 = 2e-5 of either moment.
     const double most = bend * 2 / kSteps + 2 * 2e-5;
     ASSERT_LT(most, 0.2);
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         SCOPED_TRACE(entry.name);
         const Binding binding = with_faces(standing, 1, entry.blend);
         Curves before = ribbons(binding, swung(standing.guides, 1), entry.blend);
@@ -97,10 +97,9 @@ TEST(RibbonFaces, OfTwoMomentsNeverBlendToNothing) {
     // cosine of half of it. The guides twist too, and swing through straight between the
     // moments, where the face that each pose would choose for itself flips.
     const StandingGuides standing = standing_guides(30, 4, 7);
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         // Its frames turn about with the bend: the test above.
-        if (entry.blend == Blend::option1 || entry.blend == Blend::option1_anchored)
-            continue;
+        if (entry.rates == BlendRates::blended) continue;
         SCOPED_TRACE(entry.name);
         const Binding binding = with_faces(standing, 4, entry.blend);
         const auto opening = swung(standing.guides, 0.08);
@@ -132,12 +131,11 @@ TEST(RibbonFaces, OfTwoMomentsNeverBlendToNothing) {
 TEST(RibbonFaces, AtRestAreThoseThatEachStrandBendsOver) {
     const StandingGuides standing = standing_guides(30, 4, 9);
     const auto rest = swung(standing.guides, 1);
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         SCOPED_TRACE(entry.name);
         const Binding binding = with_faces(standing, 4, entry.blend);
         const Curves curves = ribbons(binding, rest, entry.blend);
-        const bool turned =
-            entry.blend == Blend::option1 || entry.blend == Blend::option1_anchored;
+        const bool turned = entry.rates == BlendRates::blended;
         std::vector<Point4f> normals(kIntervals + 3);
         for (std::size_t i = 0; i < binding.size(); ++i) {
             const auto states = states_of(binding, rest, entry.blend, i);
@@ -160,7 +158,7 @@ TEST(RibbonFaces, AtRestAreThoseThatEachStrandBendsOver) {
 TEST(RibbonFaces, MoveNoStrandAndAreThoseOfTheScalarBlends) {
     const StandingGuides standing = standing_guides(30, 4, 9);
     const auto rest = swung(standing.guides, 1);
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         SCOPED_TRACE(entry.name);
         const Binding binding = with_faces(standing, 4, entry.blend);
         const Curves scalar = ribbons(binding, rest, entry.blend);

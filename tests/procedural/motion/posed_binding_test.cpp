@@ -82,7 +82,7 @@ TEST(Pose, InDoublePrecisionEveryBlendMovesRigidly) {
     const auto rest = guide_profiles<double>(g.source.guides, n);
     const auto posed = guide_profiles<double>(moved(g.source.guides, kMoved), n);
     std::vector<HelixState<double>> a(n + 1), b(n + 1);
-    for (const BlendName& entry : kBlendNames) {
+    for (const BlendTraits& entry : blends()) {
         SCOPED_TRACE(entry.name);
         double largest = 0;
         for (std::size_t i = 0; i < binding.size(); ++i) {
@@ -98,10 +98,7 @@ TEST(Pose, InDoublePrecisionEveryBlendMovesRigidly) {
         // the blends sum, the guides' mean tangent is never shorter than 0.8 here, and
         // option 1's mean of normals weighs a whole root's turn not above 8 times over.
         const double once = 4 * 6e-8 / 0.8 * 36;
-        EXPECT_LE(largest,
-                  entry.blend == Blend::option1 || entry.blend == Blend::option1_anchored
-                      ? 8 * once
-                      : once);
+        EXPECT_LE(largest, entry.rates == BlendRates::blended ? 8 * once : once);
     }
 }
 

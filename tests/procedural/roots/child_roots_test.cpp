@@ -34,21 +34,28 @@ double nearest(const std::vector<Vec3>& all, const Vec3& x) {
     return out;
 }
 
-TEST(OwnRoots, AskForAScalpWhereThereAreTooFew) {
+Roots roots_on_scalp(const Scalp& scalp, std::span<const Vec3> grown, std::uint32_t count,
+                     std::uint64_t seed, double growth) {
+    return roots_at(&scalp,
+                    {.on_scalp = places_on_scalp(scalp, grown, count, seed, growth),
+                     .on_strands = {}});
+}
+
+TEST(RootsOfStrands, NeedAScalpIfThereAreTooFew) {
     const auto grown = places(10, 1, 5);
     const std::vector<Vec3> tangents(10, Vec3::UnitZ());
     const std::string error =
-        input_error([&] { own_roots(grown, tangents, 11, 0, "a.hair"); });
+        input_error([&] { roots_of_strands(grown, tangents, 11, 0, "a.hair"); });
     EXPECT_THAT(error, StartsWith("a.hair: 11 children"));
     EXPECT_THAT(error, HasSubstr("--scalp"));
     EXPECT_THAT(error, HasSubstr("10 roots"));
 }
 
-TEST(OwnRoots, AreDifferentRootsOfTheGroom) {
+TEST(RootsOfStrands, AreDifferentRootsOfTheGroom) {
     const auto grown = places(50, 2, 5);
     const std::vector<Vec3> tangents(50, Vec3::UnitZ());
     for (const std::uint32_t count : {1u, 20u, 50u}) {
-        const Roots roots = own_roots(grown, tangents, count, 3, "a");
+        const Roots roots = roots_of_strands(grown, tangents, count, 3, "a");
         ASSERT_EQ(roots.size(), count);
         std::set<std::size_t> seen;
         for (const Vec3f& p : roots.positions) {
@@ -62,17 +69,17 @@ TEST(OwnRoots, AreDifferentRootsOfTheGroom) {
     }
 }
 
-TEST(OwnRoots, RootDoesNotDependOnTheCount) {
+TEST(RootsOfStrands, RootDoesNotDependOnTheCount) {
     const auto grown = places(60, 4, 5);
     const std::vector<Vec3> tangents(60, Vec3::UnitZ());
-    const Roots many = own_roots(grown, tangents, 59, 7, "a");
-    const Roots few = own_roots(grown, tangents, 13, 7, "a");
+    const Roots many = roots_of_strands(grown, tangents, 59, 7, "a");
+    const Roots few = roots_of_strands(grown, tangents, 13, 7, "a");
     for (std::size_t i = 0; i < 13; ++i) EXPECT_EQ(few.positions[i], many.positions[i]);
-    const Roots other = own_roots(grown, tangents, 13, 8, "a");
+    const Roots other = roots_of_strands(grown, tangents, 13, 8, "a");
     EXPECT_NE(few.positions, other.positions);
 }
 
-TEST(OwnRoots, NormalsAreTheMeanTangentOfTheEightNearest) {
+TEST(RootsOfStrands, NormalsAreTheMeanTangentOfTheEightNearest) {
     const auto grown = places(40, 5, 5);
     std::mt19937 random(6);
     std::normal_distribution<double> lean(0, 0.3);
@@ -81,7 +88,7 @@ TEST(OwnRoots, NormalsAreTheMeanTangentOfTheEightNearest) {
         const double x = lean(random), y = lean(random);
         tangents.push_back(Vec3(x, y, 1).normalized());
     }
-    const Roots roots = own_roots(grown, tangents, 40, 0, "a");
+    const Roots roots = roots_of_strands(grown, tangents, 40, 0, "a");
     for (std::size_t i = 0; i < 40; ++i) {
         const Vec3 x = roots.positions[i].cast<double>();
         std::vector<std::size_t> order(40);
@@ -95,7 +102,7 @@ TEST(OwnRoots, NormalsAreTheMeanTangentOfTheEightNearest) {
     }
 }
 
-TEST(RootsOnScalp, StandOnTheScalpNearTheGroomAlone) {
+TEST(RootsOnScalp, AreOnTheScalpNearTheGroomOnly) {
     const Scalp scalp = make_scalp(square_mesh(10, 8));
     const auto grown = places(200, 7, 4);
     const Roots roots = roots_on_scalp(scalp, grown, 1000, 1, 0.5);
@@ -105,14 +112,14 @@ TEST(RootsOnScalp, StandOnTheScalpNearTheGroomAlone) {
         const Vec3 x = roots.positions[i].cast<double>();
         EXPECT_EQ(x.z(), 0);
         EXPECT_EQ(roots.normals[i], Vec3f::UnitZ());
-        // The filter saw the place in double, this is its float.
+        // The filter works in double; positions are rounded to float.
         EXPECT_LE(nearest(grown, x), 0.5 + 1e-6);
         farthest = std::max({farthest, x.x(), x.y()});
-        // On this square UVs are the place over its side.
+        // On this square, UVs are the position over its side.
         EXPECT_LT((roots.uvs[i].cast<double>() - x.head<2>() / 10).norm(), 1e-6);
         EXPECT_LT((scalp_position(scalp, roots.places[i]) - x).norm(), 1e-6);
     }
-    // They fill the strip beyond the outermost strands too.
+    // They also fill the strip beyond the outermost strands.
     EXPECT_GT(farthest, 4.1);
 }
 
@@ -123,8 +130,8 @@ TEST(RootsOnScalp, CoverTheWholeScalpWithoutALimit) {
         roots_on_scalp(scalp, grown, 4000, 1, std::numeric_limits<double>::infinity());
     int quarter[4] = {};
     for (const Vec3f& p : roots.positions) ++quarter[(p.x() > 5) + 2 * (p.y() > 5)];
-    // Independent roots would give 1000 with a standard deviation of 27; these are spread
-    // more evenly than that.
+    // Independent roots would give 1000 with a standard deviation of 27; these are more
+    // even.
     for (const int count : quarter) EXPECT_NEAR(count, 1000, 4 * 27);
 }
 
@@ -139,7 +146,7 @@ TEST(RootsOnScalp, RootDoesNotDependOnTheCount) {
     }
 }
 
-TEST(RootsOnScalp, ThrowWhereTheGroomIsElsewhere) {
+TEST(RootsOnScalp, ThrowIfTheGroomIsElsewhere) {
     const Scalp scalp = make_scalp(square_mesh(10, 8));
     const std::vector<Vec3> grown = {Vec3(500, 0, 0)};
     EXPECT_NE(input_error([&] { roots_on_scalp(scalp, grown, 10, 0, 1); }), "");
@@ -149,7 +156,7 @@ TEST(Growth, IsOneAndAHalfSpacings) {
     std::vector<Vec3> grid;
     for (int i = 0; i < 100; ++i) grid.emplace_back(2.0 * (i % 10), 2.0 * (i / 10), 0);
     EXPECT_DOUBLE_EQ(growth_of_spacing(grid), 3);
-    // One stray strand does not widen it.
+    // One stray strand does not change it.
     grid.emplace_back(100, 100, 0);
     EXPECT_DOUBLE_EQ(growth_of_spacing(grid), 3);
 }

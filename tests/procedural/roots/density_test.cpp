@@ -20,19 +20,29 @@ std::vector<std::uint32_t> numbers(std::uint32_t count) {
     return out;
 }
 
+/// Relative standard deviation of the summed width of `strands` strands of one length:
+/// sqrt((integral of w^2 - 1) / strands). The square of a fade from 1 to 0 over 2h has
+/// the integral 2h / 3.
+double area_deviation(double density, std::size_t strands) {
+    const double h = std::min(kFade * density, 1 - density);
+    const double square = (density - h + 2 * h / 3) / (density * density);
+    return std::sqrt(std::max(0.0, square - 1) / double(strands));
+}
+
 TEST(Density, WidthsKeepTheAreaInTheMean) {
-    // Midpoints of a function that is linear but for two corners and a step at the most,
-    // which only the step's cell at d = 1 could miss; it lies on the border there.
+    // The midpoint rule is exact for a linear function; w has two corners and at most one
+    // step, which at d = 1 lies on a cell's border.
     for (const double d : kDensities) {
         constexpr int kCells = 1 << 20;
         double sum = 0;
         for (int i = 0; i < kCells; ++i) sum += width_at((i + 0.5) / kCells, d);
-        // A corner costs at most slope / 2 of a cell's width squared: 1 / (0.2 d^2) n^-2.
+        // A corner adds at most slope / 2 times the cell's width squared: 1 / (0.2 d^2)
+        // n^-2.
         EXPECT_NEAR(sum / kCells, 1, 1e-9 + 5 / (d * d) / (double(kCells) * kCells)) << d;
     }
 }
 
-TEST(Density, OneLeavesEveryStrandAsItIs) {
+TEST(Density, OneKeepsEveryStrandUnchanged) {
     std::vector<std::uint32_t> ids = numbers(10000);
     const std::vector<float> widths = prune(ids, 3, 1);
     EXPECT_EQ(ids, numbers(10000));
@@ -51,8 +61,8 @@ TEST(Density, ASmallerSetIsASubset) {
     EXPECT_GT(more.size(), 0u);
 }
 
-TEST(Density, KeepsItsShareOfStrandsAndTheirArea) {
-    // Both are sums over independent ranks; five standard deviations.
+TEST(Density, KeepsTheFractionOfStrandsAndTheirArea) {
+    // Both are sums over independent ranks; the tolerance is five standard deviations.
     constexpr std::uint32_t kStrands = 200000;
     for (const double d : kDensities) {
         std::vector<std::uint32_t> ids = numbers(kStrands);
@@ -80,11 +90,10 @@ TEST(Density, DeviationIsThatOfTheWidths) {
     }
 }
 
-TEST(Density, AStrandsWidthIsContinuousInTheDensity) {
+TEST(Density, WidthIsContinuousInTheDensity) {
     // dw/dd is largest in the fade: with h = kFade d it is (r / d^2) / 2h + w / d, below
-    // (1.1 / 0.2 + 1) / d^2; with h = 1 - d it is bounded by (1 - r) / 2 (1 - d)^2 + ...,
-    // and 1 - r < 2 (1 - d) there: below 1 / (1 - d) + 1 / d^2 for any rank. A step of
-    // this share of 1 - d is therefore seen as at most 6.5 / d^2 of it.
+    // (1.1 / 0.2 + 1) / d^2; with h = 1 - d it is at most (1 - r) / 2 (1 - d)^2 + ...,
+    // and 1 - r < 2 (1 - d) there: below 1 / (1 - d) + 1 / d^2 for any rank.
     for (const double rank : {0.0, 0.003, 0.2, 0.7, 0.95, 0.9999}) {
         double d = 0.002;
         while (d < 1 - 1e-6) {
@@ -98,7 +107,7 @@ TEST(Density, AStrandsWidthIsContinuousInTheDensity) {
     }
 }
 
-TEST(Density, LodIsOneUntilStrandsAreMoreThanAskedFor) {
+TEST(Density, LodIsOneUntilThereAreMoreStrandsThanRequested) {
     EXPECT_EQ(lod_density(1e6, 1000, 1), 1);
     EXPECT_EQ(lod_density(100, 1000, 1), 0.1);
     EXPECT_EQ(lod_density(100, 1000, 5), 0.5);
@@ -129,11 +138,11 @@ double area_of(const Curves& curves) {
     return out;
 }
 
-TEST(Density, AGroomGrowsTheSamePlacesWiderAndTheAreaOfAll) {
+TEST(Density, AGroomGrowsTheSameStrandsWiderAndKeepsTheArea) {
     const ReadyGroom all = make_ready_groom(small_groom(1));
     const Curves whole = expand(all.binding, rest_guides(all), all.groom.expand);
     const double area = area_of(whole);
-    std::vector<std::uint32_t> place(whole.strands);  // of an id
+    std::vector<std::uint32_t> place(whole.strands);  // by id
     for (std::uint32_t i = 0; i < whole.strands; ++i) place[whole.id_of(i)] = i;
     for (const double d : {0.5, 0.1, 0.02}) {
         const ReadyGroom some = make_ready_groom(small_groom(d));
@@ -150,7 +159,7 @@ TEST(Density, AGroomGrowsTheSamePlacesWiderAndTheAreaOfAll) {
                 ASSERT_NEAR(wide.w, w * own.w, 1e-6 * wide.w) << id;
             }
         }
-        // Lengths vary by up to 1.4 : 1 besides, and add to the variance of widths w as
+        // Lengths vary by up to 1.4 : 1 and add to the variance of widths w as
         // E w^2 E L^2 / (E L)^2 <= 1.03 E w^2: less than 1.1 times the deviation.
         EXPECT_NEAR(area_of(curves) / area, 1, 5 * 1.1 * area_deviation(d, 3000)) << d;
     }
