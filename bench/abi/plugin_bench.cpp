@@ -1,10 +1,10 @@
-// What the C interface costs: every chunk of a groom, bound and expanded, straight from
-// the library and through the plugin into a sink that looks at nothing.
+// Cost of the C interface: every chunk of a groom is bound and expanded, directly by the
+// library, and through the plugin into a sink that ignores it.
 //
-// Arguments: 0 straight, 1 through the plugin; 0 a still groom, 1 one that moves, at
-// three times, which both have in memory at once. Peak memory is of the whole process and
-// only grows: run each by itself (--benchmark_filter) to compare it; time by random
-// interleaving (--benchmark_enable_random_interleaving), as machines are noisy.
+// Arguments: 0 direct, 1 through the plugin; 0 a static groom, 1 a moving one at three
+// times, which both hold in memory at once. Peak memory is that of the whole process and
+// never shrinks, so compare it in separate runs (--benchmark_filter). Compare times with
+// --benchmark_enable_random_interleaving, since machines are noisy.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -28,11 +28,11 @@ namespace {
 
 const std::string kGroom = "[strands]\ncount = 200000\n";
 
-/// Three times of a shutter, of a groom whose head turns from frame 1 to 2; a still groom
-/// has one.
+/// The time of a static groom, and three times of a shutter for a groom whose head turns
+/// from frame 1 to 2.
 const std::vector<double> kTimes[] = {{0}, {1.25, 1.5, 1.75}};
 
-/// The cache of the moving groom, gone when this is.
+/// The cache of the moving groom, removed by the destructor.
 struct MovingCache {
     std::filesystem::path folder = std::filesystem::temp_directory_path() /
                                    ("lancret_plugin_bench_" + std::to_string(getpid()));
@@ -67,8 +67,8 @@ struct MovingCache {
 
 double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-/// All that is the same in every chunk is made once, as the plugin does.
-void straight(benchmark::State& run, const MovingCache* moving) {
+/// Everything that all chunks share is computed once, as in the plugin.
+void direct(benchmark::State& run, const MovingCache* moving) {
     GroomSource source;
     if (moving) {
         source.path = moving->cache;
@@ -83,15 +83,15 @@ void straight(benchmark::State& run, const MovingCache* moving) {
     std::vector<ClassedGuides> guides;
     std::vector<PosedScalp> scalps;
     if (moving) {
-        Binding none;
-        none.guide_normals = ready.source.normals;
-        const RestPlaces rest = rest_places(none, ready.source);
+        Binding guides_only;
+        guides_only.guide_normals = ready.source.normals;
+        const RestPlaces rest = rest_places(guides_only, ready.source);
         prepare_frames(ready, times);
         for (const double time : kTimes[1]) {
             scalps.push_back(posed_scalp(rest, times.pose_at(time)));
-            pose_binding_on(none, rest, scalps.back());
+            pose_binding_on(guides_only, rest, scalps.back());
             guides.push_back(classed_guides(guides_at(times, ready.source.places, time),
-                                            ready.classes, none.guide_normals,
+                                            ready.classes, guides_only.guide_normals,
                                             ready.groom.expand.blend));
         }
     } else {
@@ -158,10 +158,10 @@ void plugin_cost(benchmark::State& run) {
     if (run.range(1)) cache.emplace();
     const MovingCache* moving = cache ? &*cache : nullptr;
     const double before = cpu_seconds();
-    run.range(0) == 0 ? straight(run, moving) : through_plugin(run, moving);
+    run.range(0) == 0 ? direct(run, moving) : through_plugin(run, moving);
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    // With loading, which both do once.
+    // Includes loading, which both do once.
     run.counters["cpu_s"] = cpu_seconds() - before;
     run.counters["peak_MiB"] = double(usage.ru_maxrss) / 1024;
 }

@@ -1,7 +1,7 @@
-// lancret_pipeline_bench: one table of what a picture waits for, from a groom's file to
-// its first picture, beside what the machine could do at best. The stages are those of
-// the program itself, `lancret preview`, run once for each number of strands; the limits
-// are measured after it: a memory fill, and Embree alone on the same strands.
+// lancret_pipeline_bench: a table of all stages from a groom's file to its first picture,
+// beside the limits of the machine. The stages are those of `lancret preview`, run once
+// for each number of strands. The limits are measured as well: a memory fill, and a
+// program that only builds Embree's BVH of the same strands.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -20,8 +20,8 @@
 namespace lancret::bench {
 namespace {
 
-/// What Blender 3.4 makes a second on a machine such as this: 100,000 interpolated
-/// children of 17 points between 1,000 guides in 0.187 s.
+/// Points per second of Blender 3.4 on such a machine: 100,000 interpolated children of
+/// 17 points between 1,000 guides in 0.187 s.
 constexpr double kBlenderPoints = 100'000 * 17 / 0.187;
 
 struct Options {
@@ -30,7 +30,7 @@ struct Options {
     bool embree = true;
 };
 
-/// A folder that is gone with its owner.
+/// A folder that the destructor removes.
 struct TemporaryFolder {
     std::filesystem::path path;
 
@@ -48,7 +48,7 @@ struct TemporaryFolder {
 
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
-/// --stats of a picture of so many strands.
+/// The --stats of a picture with `strands` strands.
 nlohmann::json picture_stats(const Options& options, std::uint32_t strands) {
     const TemporaryFolder folder;
     const std::string stats = (folder.path / "stats.json").string();
@@ -64,7 +64,7 @@ nlohmann::json picture_stats(const Options& options, std::uint32_t strands) {
     return nlohmann::json::parse(file);
 }
 
-/// s that Embree alone takes for the BVH of the same strands.
+/// Time to build only the BVH of the same strands with Embree, s.
 double embree_seconds(const Options& options, std::uint32_t strands) {
     const TomlTable toml = TomlTable::from_file(options.groom);
     GroomSettings groom = read_groom(toml, options.groom);
@@ -72,30 +72,30 @@ double embree_seconds(const Options& options, std::uint32_t strands) {
     ReadyGroom ready = make_ready_groom(groom);
     const Curves curves = expand(ready.binding, rest_guides(ready), groom.expand);
     ready.binding = {};
-    TriangleMesh nothing;
-    nothing.positions = {Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)};
-    nothing.triangles = {{0, 1, 2}};
+    TriangleMesh unseen;
+    unseen.positions = {Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)};
+    unseen.triangles = {{0, 1, 2}};
     Stopwatch watch;
-    const BareEmbree alone(curves, nothing, 1);
+    const BareEmbree bare(curves, unseen, 1);
     return watch.lap();
 }
 
-/// `alone`: s of embree_seconds, or 0 where it was left out.
-void print_row(const nlohmann::json& stats, double fill, double alone) {
+/// `embree` as of embree_seconds, or 0 if it was skipped; `fill` in bytes per second.
+void print_row(const nlohmann::json& stats, double fill, double embree) {
     const auto& seconds = stats.at("seconds");
     const auto& bytes = stats.at("bytes");
     const auto s = [&](const char* stage) { return seconds.at(stage).get<double>(); };
     const auto b = [&](const char* part) { return bytes.at(part).get<double>(); };
     const double points = stats.at("points").get<double>() / s("expand");
     const double peak = stats.at("peak_rss").get<double>() - b("process");
-    const double least = b("curves") + b("widths") + b("bvh");
+    const double required = b("curves") + b("widths") + b("bvh");
     std::printf("| %.0f | %.2f | %.2f | %.2f | %.3f | %.0f | %.3f | %.1f | %.2f | ",
                 stats.at("strands").get<double>(), s("load"), s("fit"), s("bind"),
                 s("expand"), points / 1e6, b("curves") / s("expand") / fill,
                 points / kBlenderPoints, s("bvh"));
-    if (alone > 0) std::printf("%.2f", s("bvh") / alone);
+    if (embree > 0) std::printf("%.2f", s("bvh") / embree);
     std::printf(" | %.2f | %.0f | %.2f |\n", s("first_picture"), peak / 1e6,
-                peak / least);
+                peak / required);
     std::fflush(stdout);
 }
 
@@ -104,8 +104,7 @@ void run(const Options& options) {
     std::printf(
         "A fill writes %.1f GB/s on two threads.\n\n"
         "| strands | load s | fit s | place and bind s | expand s | million points/s | "
-        "of "
-        "the fill | times Blender | BVH s | over Embree alone | first picture s | MB | "
+        "of the fill | times Blender | BVH s | over bare Embree | first picture s | MB | "
         "over curves and BVH |\n"
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
         fill / 1e9);
@@ -120,11 +119,11 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
     lancret::bench::Options options;
-    CLI::App app("From a groom's file to its first picture, stage by stage");
+    CLI::App app("Time of each stage from a groom's file to its first picture");
     app.add_option("program", options.program, "the lancret program")->required();
-    app.add_option("groom", options.groom, "a groom, .toml")->required();
+    app.add_option("groom", options.groom, "a groom (.toml)")->required();
     app.add_option("--strands", options.strands, "numbers of strands")->delimiter(',');
-    app.add_flag("!--no-embree", options.embree, "leave out Embree alone");
+    app.add_flag("!--no-embree", options.embree, "skip the comparison with bare Embree");
     CLI11_PARSE(app, argc, argv);
     try {
         lancret::bench::run(options);

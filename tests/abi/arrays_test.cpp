@@ -1,4 +1,5 @@
-// Strands and scalps that a host has in memory.
+// Strands and scalps in the memory of the host.
+
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -23,13 +24,15 @@ struct HostArrays {
         for (std::size_t i = 0; i < from.size(); ++i) {
             counts.push_back(lancret_u32(from.strand(i).size()));
         }
-        for (const Vec3f& p : from.points)
+        for (const Vec3f& p : from.points) {
             points.insert(points.end(), p.begin(), p.end());
+        }
         for (const Vec3f& p : on.positions) {
             positions.insert(positions.end(), p.begin(), p.end());
         }
-        for (const auto& t : on.triangles)
+        for (const auto& t : on.triangles) {
             corners.insert(corners.end(), t.begin(), t.end());
+        }
         strands.size = sizeof strands;
         strands.basis = LANCRET_CATMULL_ROM;
         strands.strands = lancret_u32(counts.size());
@@ -43,7 +46,7 @@ struct HostArrays {
     }
 };
 
-HostArrays some_arrays() {
+HostArrays made_arrays() {
     MadeGroomSettings settings;
     settings.strands = 150;
     const MadeGroom made = make_groom(settings);
@@ -58,14 +61,14 @@ lancret_source source_of(const HostArrays& arrays) {
 }
 
 TEST(PluginArrays, StrandsAreThoseOfTheSameFile) {
-    const HostArrays arrays = some_arrays();
+    const HostArrays arrays = made_arrays();
     MadeGroomSettings settings;
     settings.strands = 150;
     const auto path = std::filesystem::temp_directory_path() /
                       ("lancret_abi_" + std::to_string(getpid()) + ".hair");
     write_hair(path, make_groom(settings).strands);
     const std::string name = path.string();
-    const auto context = a_context();
+    const auto context = make_context();
     lancret_source file{};
     file.size = sizeof file;
     file.path = name.c_str();
@@ -74,37 +77,37 @@ TEST(PluginArrays, StrandsAreThoseOfTheSameFile) {
     const Opened from_memory = open(context.get(), source_of(arrays));
     ASSERT_EQ(from_file.status, LANCRET_OK) << from_file.error;
     ASSERT_EQ(from_memory.status, LANCRET_OK) << from_memory.error;
-    const auto options = some_options(LANCRET_BSPLINE);
+    const auto options = make_options(LANCRET_BSPLINE);
     const auto strands = expanded(from_memory.groom.get(), options);
     EXPECT_EQ(strands.size(), 150u);
     EXPECT_TRUE(strands == expanded(from_file.groom.get(), options));
 }
 
 TEST(PluginArrays, HairGrowsOnTheHostsMeshInItsUnit) {
-    // In metres, of a scene that is in metres: the same head.
-    HostArrays arrays = some_arrays();
+    // The same head in metres, in a scene in metres.
+    HostArrays arrays = made_arrays();
     for (float& x : arrays.points) x /= 100;
     for (float& x : arrays.positions) x /= 100;
     lancret_source source = source_of(arrays);
     source.scalp = &arrays.mesh;
     source.text = "[scene]\nmetres_per_unit = 1\n[strands]\ncount = 500\n";
-    const auto context = a_context();
+    const auto context = make_context();
     const Opened out = open(context.get(), source);
     ASSERT_EQ(out.status, LANCRET_OK) << out.error;
     EXPECT_EQ(info_of(out.groom.get()).cm_per_unit, 100);
-    auto options = some_options(LANCRET_LINEAR);
+    auto options = make_options(LANCRET_LINEAR);
     options.unit = 100;
     for (const auto& [id, strand] : expanded(out.groom.get(), options)) {
-        // On the ellipsoid's facets, which lie within it by up to a few per cent.
+        // On facets of the ellipsoid, which lie up to a few per cent inside it.
         const Vec3 p(strand.positions[0], strand.positions[1], strand.positions[2]);
         EXPECT_NEAR((100 * p).cwiseQuotient(kMadeHead).norm(), 1, 0.03);
     }
 }
 
-TEST(PluginArrays, EveryCountAndNumberIsLookedAt) {
-    const auto context = a_context();
+TEST(PluginArrays, EveryCountAndNumberIsValidated) {
+    const auto context = make_context();
     const auto fault = [&](auto change, lancret_status expected) {
-        HostArrays arrays = some_arrays();
+        HostArrays arrays = made_arrays();
         lancret_source source = source_of(arrays);
         source.scalp = &arrays.mesh;
         change(arrays);
@@ -139,8 +142,8 @@ TEST(PluginArrays, EveryCountAndNumberIsLookedAt) {
     fault([](HostArrays&) {}, LANCRET_OK);
 }
 
-TEST(PluginArrays, EvaluationSaysWhatTheBlendsAreWorth) {
-    const auto context = a_context();
+TEST(PluginArrays, EvaluationReportsEveryBlend) {
+    const auto context = make_context();
     std::string text;
     const std::string groom = "[guides]\nmade.strands = 150\n";
     const auto source = text_source(groom);

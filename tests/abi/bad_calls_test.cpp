@@ -14,7 +14,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 lancret_status ignore(void*, const lancret_curves*) { return LANCRET_OK; }
 
 TEST(PluginCalls, NullsAreRefused) {
-    const auto context = a_context();
+    const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom);
     lancret_groom* out = nullptr;
     const auto source = text_source(kSmallGroom);
@@ -49,20 +49,20 @@ TEST(PluginCalls, NullsAreRefused) {
     lancret_groom_close(nullptr);
     lancret_chunk_close(nullptr);
     lancret_context_destroy(nullptr);
-    // And the defaults of no options at all.
+    // Null options are the defaults.
     EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, nullptr, ignore, nullptr),
               LANCRET_OK);
 }
 
 TEST(PluginCalls, OptionsOutOfRangeAreRefused) {
-    const auto context = a_context();
+    const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom);
     const auto status = [&](auto change) {
-        auto options = some_options(LANCRET_BSPLINE);
+        auto options = make_options(LANCRET_BSPLINE);
         change(options);
         return lancret_groom_expand_chunk(groom.get(), 0, &options, ignore, nullptr);
     };
-    const double never = kNaN;
+    const double nan = kNaN;
     EXPECT_EQ(status([](auto&) {}), LANCRET_OK);
     EXPECT_EQ(status([](auto& o) { o.basis = 5; }), LANCRET_BAD_CALL);
     EXPECT_EQ(status([](auto& o) { o.basis = -1; }), LANCRET_BAD_CALL);
@@ -76,19 +76,19 @@ TEST(PluginCalls, OptionsOutOfRangeAreRefused) {
     EXPECT_EQ(status([](auto& o) { o.pixels = kNaN; }), LANCRET_BAD_CALL);
     EXPECT_EQ(status([](auto& o) { o.attributes = 1u << 30; }), LANCRET_BAD_CALL);
     EXPECT_EQ(status([](auto& o) { o.time_count = 1; }), LANCRET_BAD_CALL);
-    EXPECT_EQ(status([&](auto& o) { o.times = &never, o.time_count = 1; }),
+    EXPECT_EQ(status([&](auto& o) { o.times = &nan, o.time_count = 1; }),
               LANCRET_BAD_CALL);
-    EXPECT_EQ(status([&](auto& o) { o.times = &never, o.time_count = 65; }),
+    EXPECT_EQ(status([&](auto& o) { o.times = &nan, o.time_count = 257; }),
               LANCRET_BAD_CALL);
     EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 1, nullptr, ignore, nullptr),
               LANCRET_BAD_CALL);
 }
 
-TEST(PluginCalls, SizesTellOldCallersFromNew) {
-    const auto context = a_context();
+TEST(PluginCalls, SizesDistinguishOldAndNewCallers) {
+    const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom);
-    // One who knows nothing after the basis: what follows is not read.
-    lancret_options options = some_options(LANCRET_BSPLINE);
+    // A caller without the fields after the basis: they are not read.
+    lancret_options options = make_options(LANCRET_BSPLINE);
     options.size = offsetof(lancret_options, max_error);
     options.density = kNaN;
     EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, &options, ignore, nullptr),
@@ -99,18 +99,18 @@ TEST(PluginCalls, SizesTellOldCallersFromNew) {
     options.size = std::size_t(-1);
     EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, &options, ignore, nullptr),
               LANCRET_BAD_CALL);
-    // One from later: what the library does not know must be nothing.
+    // A newer caller: fields that the library lacks must be zero.
     struct Later {
         lancret_options known;
         double more[2];
-    } later{some_options(LANCRET_BSPLINE), {0, 0}};
+    } later{make_options(LANCRET_BSPLINE), {0, 0}};
     later.known.size = sizeof later;
     EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, &later.known, ignore, nullptr),
               LANCRET_OK);
     later.more[1] = 1;
     EXPECT_EQ(lancret_groom_expand_chunk(groom.get(), 0, &later.known, ignore, nullptr),
               LANCRET_BAD_CALL);
-    // Nothing is written past what the caller knows.
+    // Fields that the caller lacks are not written.
     lancret_groom_info info{};
     info.size = offsetof(lancret_groom_info, guides);
     info.guides = 12345;
@@ -121,7 +121,7 @@ TEST(PluginCalls, SizesTellOldCallersFromNew) {
 }
 
 TEST(PluginCalls, ErrorsNameFileAndLine) {
-    const auto context = a_context();
+    const auto context = make_context();
     const std::string text = "[strands]\ncount = 100\nwidht = 3\n";
     lancret_source source = text_source(text);
     source.path = "some/head.toml";
@@ -136,8 +136,8 @@ TEST(PluginCalls, ErrorsNameFileAndLine) {
     EXPECT_EQ(groom, nullptr);
 }
 
-TEST(PluginCalls, ParametersAreCheckedAsTheFileIs) {
-    const auto context = a_context();
+TEST(PluginCalls, ParametersAreValidatedLikeTheFile) {
+    const auto context = make_context();
     const auto with = [&](lancret_parameter parameter) {
         lancret_source source = text_source(kSmallGroom);
         source.parameters = &parameter;
@@ -177,7 +177,7 @@ TEST(PluginCalls, ParametersAreCheckedAsTheFileIs) {
 }
 
 TEST(PluginCalls, AnEmptyPathIsNoGroom) {
-    const auto context = a_context();
+    const auto context = make_context();
     lancret_source source = text_source(kSmallGroom);
     source.path = "";
     const auto out = open(context.get(), source);
@@ -186,7 +186,7 @@ TEST(PluginCalls, AnEmptyPathIsNoGroom) {
 }
 
 TEST(PluginCalls, AnErrorIsOneLine) {
-    const auto context = a_context();
+    const auto context = make_context();
     lancret_source source = text_source(kSmallGroom);
     const lancret_parameter parameter{"strands.a\nb\r\tc", nullptr, 1};
     source.parameters = &parameter;
@@ -197,23 +197,24 @@ TEST(PluginCalls, AnErrorIsOneLine) {
         << out.error;
 }
 
-TEST(PluginCalls, BuffersOffTheirAlignmentAreRefused) {
-    const auto context = a_context();
+TEST(PluginCalls, UnalignedBuffersAreRefused) {
+    const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom);
-    const auto options = some_options(LANCRET_BSPLINE);
+    const auto options = make_options(LANCRET_BSPLINE);
     lancret_chunk* chunk = nullptr;
     ASSERT_EQ(lancret_chunk_open(groom.get(), 0, &options, &chunk), LANCRET_OK);
     lancret_curves curves{};
     curves.size = sizeof curves;
     ASSERT_EQ(lancret_chunk_get_sizes(chunk, &curves), LANCRET_OK);
-    std::vector<float> room(4 * std::size_t(curves.points) + 8);
-    const auto off = reinterpret_cast<std::uintptr_t>(room.data()) % 16 / sizeof(float);
-    const float* aligned = room.data() + (4 - off) % 4;
-    for (int by = 0; by < 4; ++by) {
-        const float* positions[] = {aligned + by};
+    std::vector<float> memory(4 * std::size_t(curves.points) + 8);
+    const auto offset =
+        reinterpret_cast<std::uintptr_t>(memory.data()) % 16 / sizeof(float);
+    const float* aligned = memory.data() + (4 - offset) % 4;
+    for (int shift = 0; shift < 4; ++shift) {
+        const float* positions[] = {aligned + shift};
         curves.positions = positions;
         EXPECT_EQ(lancret_chunk_write(chunk, &curves),
-                  by == 0 ? LANCRET_OK : LANCRET_BAD_CALL);
+                  shift == 0 ? LANCRET_OK : LANCRET_BAD_CALL);
     }
     lancret_chunk_close(chunk);
 }

@@ -1,4 +1,4 @@
-// Files that change, and what is kept of them.
+// Files that change, and what is cached of them.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 using PluginCache = MovingPlugin;
 
 TEST_F(PluginCache, AFileThatChangesIsLoadedAgain) {
-    const auto context = a_context();
+    const auto context = make_context();
     const std::string path = (folder_ / "head.toml").string();
     lancret_source source{};
     source.size = sizeof source;
@@ -22,7 +22,7 @@ TEST_F(PluginCache, AFileThatChangesIsLoadedAgain) {
     std::ofstream(path, std::ios::app) << "# longer\n[width]\nroot = 0.02\n";
     const Opened after = open(context.get(), source);
     const auto radius = [&](const Opened& groom) {
-        return expanded(groom.groom.get(), some_options(LANCRET_LINEAR))
+        return expanded(groom.groom.get(), make_options(LANCRET_LINEAR))
             .at(0)
             .positions[3];
     };
@@ -32,19 +32,19 @@ TEST_F(PluginCache, AFileThatChangesIsLoadedAgain) {
 
 TEST_F(PluginCache, ACacheThatChangesUnderAnOpenGroomIsAnError) {
     std::string line;
-    lancret_host host = a_host(1);  // whose log comes from one thread
+    lancret_host host = make_host(1);  // logs from one thread
     host.user = &line;
     host.log = [](void* user, int level, const char* text) {
         if (level == LANCRET_LOG_ERROR) *static_cast<std::string*>(user) = text;
     };
-    const auto context = a_context(&host);
+    const auto context = make_context(&host);
     const auto groom = open_cache(context.get());
     const double times[] = {4};
-    auto options = some_options(LANCRET_BSPLINE);
+    auto options = make_options(LANCRET_BSPLINE);
     options.times = times;
     options.time_count = 1;
     const auto ignore = [](const lancret_curves&) { return LANCRET_OK; };
-    // As another run leaves it: as many frames and guides, written later.
+    // As rewritten by another run: the same number of frames and guides, but later.
     std::filesystem::copy_file(cache_, folder_ / "new.h5");
     std::filesystem::last_write_time(
         folder_ / "new.h5",
@@ -54,14 +54,14 @@ TEST_F(PluginCache, ACacheThatChangesUnderAnOpenGroomIsAnError) {
     EXPECT_EQ(line, cache_ + ": has changed since it was opened");
     options.max_error = 0.02f;
     EXPECT_EQ(expand_with(groom.get(), 0, options, ignore), LANCRET_BAD_INPUT);
-    // Opened again it is another groom.
+    // Opened again, it is another groom.
     const auto again = open_cache(context.get());
     EXPECT_EQ(expand_with(again.get(), 0, options, ignore), LANCRET_OK);
 }
 
 TEST_F(PluginCache, AFileThatKeepsSizeAndTimeIsReadAgain) {
-    const auto context = a_context();
-    const std::string path = (folder_ / "own.toml").string();
+    const auto context = make_context();
+    const std::string path = (folder_ / "groom.toml").string();
     lancret_source source{};
     source.size = sizeof source;
     source.path = path.c_str();
@@ -79,8 +79,8 @@ TEST_F(PluginCache, AFileThatKeepsSizeAndTimeIsReadAgain) {
     EXPECT_EQ(info_of(after.groom.get()).strands, 200u);
 }
 
-TEST_F(PluginCache, ACacheTakesNoStrandsOfTheHosts) {
-    const auto context = a_context();
+TEST_F(PluginCache, ACacheRejectsStrandsOfTheHost) {
+    const auto context = make_context();
     const float points[] = {0, 0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0};
     const lancret_u32 counts[] = {4};
     const lancret_strands strands{sizeof(lancret_strands), LANCRET_LINEAR, 1, counts,
@@ -95,16 +95,16 @@ TEST_F(PluginCache, ACacheTakesNoStrandsOfTheHosts) {
 }
 
 TEST_F(PluginCache, GuidesOfAllTimesOfACallAreKept) {
-    const auto context = a_context();
+    const auto context = make_context();
     const auto groom = open_cache(context.get(), 800);
     std::vector<double> times;
     for (int i = 0; i < 40; ++i) times.push_back(3 + 0.05 * i);
-    auto options = some_options(LANCRET_BSPLINE);
+    auto options = make_options(LANCRET_BSPLINE);
     options.times = times.data();
     options.time_count = times.size();
     const auto ignore = [](const lancret_curves&) { return LANCRET_OK; };
     ASSERT_EQ(expand_with(groom.get(), 0, options, ignore), LANCRET_OK);
-    // What would be read again is not there.
+    // Reading the cache again would fail.
     std::filesystem::remove(cache_);
     for (const lancret_u32 chunk : {1, 2, 0}) {
         EXPECT_EQ(expand_with(groom.get(), chunk, options, ignore), LANCRET_OK);
@@ -112,10 +112,10 @@ TEST_F(PluginCache, GuidesOfAllTimesOfACallAreKept) {
 }
 
 TEST_F(PluginCache, AChunkOutlivesItsGroom) {
-    const auto context = a_context();
+    const auto context = make_context();
     auto groom = open_cache(context.get());
     const double times[] = {3.5};
-    auto options = some_options(LANCRET_BSPLINE);
+    auto options = make_options(LANCRET_BSPLINE);
     options.times = times;
     options.time_count = 1;
     std::vector<float> expected;

@@ -1,4 +1,4 @@
-// Hosts that cancel at the worst moments.
+// Hosts that cancel at any moment.
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -12,34 +12,34 @@
 namespace lancret {
 namespace {
 
-/// Says no to the thread that calls and, from when it is told to, yes to the one that
-/// watches: calls begin, and are cancelled at any place of them.
-struct CancelledByTheWatch {
+/// Once `stop` is set, cancels on the polling thread but not on the calling one, so that
+/// calls begin and are cancelled at any point.
+struct CancelledByPolling {
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<bool> stop{false};
 
     lancret_host host() {
-        lancret_host out = a_host();
+        lancret_host out = make_host();
         out.user = this;
         out.cancelled = [](void* user) -> int {
-            const auto& own = *static_cast<CancelledByTheWatch*>(user);
-            return own.stop && std::this_thread::get_id() != own.caller;
+            const auto& self = *static_cast<CancelledByPolling*>(user);
+            return self.stop && std::this_thread::get_id() != self.caller;
         };
         return out;
     }
 };
 
-TEST(PluginCancel, OkMeansThatItWasDone) {
-    CancelledByTheWatch watch;
+TEST(PluginCancel, OkMeansThatTheWorkWasDone) {
+    CancelledByPolling watch;
     const lancret_host host = watch.host();
-    const auto context = a_context(&host);
+    const auto context = make_context(&host);
     const auto groom = opened(context.get(), kSmallGroom);
     watch.stop = true;
     int cancelled = 0;
     for (int i = 0; i < 500; ++i) {
         bool called = false;
         const lancret_status status = expand_with(
-            groom.get(), 0, some_options(LANCRET_BSPLINE), [&](const lancret_curves&) {
+            groom.get(), 0, make_options(LANCRET_BSPLINE), [&](const lancret_curves&) {
                 called = true;
                 return LANCRET_OK;
             });
@@ -62,19 +62,19 @@ TEST(PluginCancel, OkMeansThatItWasDone) {
     }
 }
 
-/// Cancels in a sink, and waits until that is sure to have been seen.
-void cancel_and_wait(CancelledByTheWatch& watch) {
+/// Cancels in a callback, and waits until the polling thread must have noticed.
+void cancel_and_wait(CancelledByPolling& watch) {
     watch.stop = true;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 
-TEST(PluginCancel, ASinksOwnLoopsAreNotCut) {
-    CancelledByTheWatch watch;
+TEST(PluginCancel, LoopsOfASinkAreNotCancelled) {
+    CancelledByPolling watch;
     const lancret_host host = watch.host();
-    const auto context = a_context(&host);
+    const auto context = make_context(&host);
     const auto groom = opened(context.get(), kSmallGroom);
     std::atomic<unsigned> seen{0};
-    EXPECT_EQ(expand_with(groom.get(), 0, some_options(LANCRET_BSPLINE),
+    EXPECT_EQ(expand_with(groom.get(), 0, make_options(LANCRET_BSPLINE),
                           [&](const lancret_curves& curves) {
                               cancel_and_wait(watch);
                               tbb::parallel_for(0u, curves.strands,
@@ -83,34 +83,34 @@ TEST(PluginCancel, ASinksOwnLoopsAreNotCut) {
                           }),
               LANCRET_OK);
     EXPECT_EQ(seen, 3000u);
-    // The head, the text and the log are handed over likewise.
+    // The sinks of head and text as well.
     watch.stop = false;
-    struct Told {
-        CancelledByTheWatch* watch;
+    struct Sinks {
+        CancelledByPolling* watch;
         std::atomic<int> turns{0};
         static void text(void* user, const char*) {
-            auto& own = *static_cast<Told*>(user);
-            cancel_and_wait(*own.watch);
-            tbb::parallel_for(0, 100, [&](int) { ++own.turns; });
+            auto& self = *static_cast<Sinks*>(user);
+            cancel_and_wait(*self.watch);
+            tbb::parallel_for(0, 100, [&](int) { ++self.turns; });
         }
         static lancret_status mesh(void* user, const lancret_mesh*) {
             text(user, nullptr);
             return LANCRET_OK;
         }
-    } told{&watch};
-    EXPECT_EQ(lancret_groom_describe(groom.get(), Told::text, &told), LANCRET_OK);
-    EXPECT_EQ(told.turns, 100);
+    } sinks{&watch};
+    EXPECT_EQ(lancret_groom_describe(groom.get(), Sinks::text, &sinks), LANCRET_OK);
+    EXPECT_EQ(sinks.turns, 100);
     watch.stop = false;
-    EXPECT_EQ(lancret_groom_get_head(groom.get(), 0, Told::mesh, &told), LANCRET_OK);
-    EXPECT_EQ(told.turns, 200);
+    EXPECT_EQ(lancret_groom_get_head(groom.get(), 0, Sinks::mesh, &sinks), LANCRET_OK);
+    EXPECT_EQ(sinks.turns, 200);
 }
 
-TEST(PluginCancel, ASinksOwnStatusIsKept) {
-    CancelledByTheWatch watch;
+TEST(PluginCancel, TheStatusOfASinkIsReturned) {
+    CancelledByPolling watch;
     const lancret_host host = watch.host();
-    const auto context = a_context(&host);
+    const auto context = make_context(&host);
     const auto groom = opened(context.get(), kSmallGroom);
-    EXPECT_EQ(expand_with(groom.get(), 0, some_options(LANCRET_BSPLINE),
+    EXPECT_EQ(expand_with(groom.get(), 0, make_options(LANCRET_BSPLINE),
                           [&](const lancret_curves&) {
                               cancel_and_wait(watch);
                               return 42;
@@ -118,23 +118,23 @@ TEST(PluginCancel, ASinksOwnStatusIsKept) {
               42);
 }
 
-TEST(PluginCancel, ALogsOwnLoopsAreNotCut) {
-    struct Logged : CancelledByTheWatch {
+TEST(PluginCancel, LoopsOfALogAreNotCancelled) {
+    struct Logged : CancelledByPolling {
         std::atomic<int> turns{0}, lines{0};
     } watch;
     lancret_host host = watch.host();
     host.user = &watch;
     host.cancelled = [](void* user) -> int {
-        const auto& own = *static_cast<Logged*>(user);
-        return own.stop && std::this_thread::get_id() != own.caller;
+        const auto& self = *static_cast<Logged*>(user);
+        return self.stop && std::this_thread::get_id() != self.caller;
     };
     host.log = [](void* user, int, const char*) {
-        auto& own = *static_cast<Logged*>(user);
-        cancel_and_wait(own);
-        ++own.lines;
-        tbb::parallel_for(0, 100, [&](int) { ++own.turns; });
+        auto& self = *static_cast<Logged*>(user);
+        cancel_and_wait(self);
+        ++self.lines;
+        tbb::parallel_for(0, 100, [&](int) { ++self.turns; });
     };
-    const auto context = a_context(&host);
+    const auto context = make_context(&host);
     EXPECT_EQ(open(context.get(), text_source(kSmallGroom)).status, LANCRET_CANCELLED);
     EXPECT_GT(watch.lines, 0);
     EXPECT_EQ(watch.turns, 100 * watch.lines);

@@ -1,4 +1,4 @@
-// Names and values that go so deep that what reads them would run out of stack.
+// Names and values nested so deeply that a recursive parser would exhaust the stack.
 
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -8,7 +8,7 @@
 namespace lancret {
 namespace {
 
-/// The error of a source on a thread of a small stack, as hosts have them.
+/// The error of opening `source` on a thread with a small stack, as hosts may have.
 std::string error_of(const lancret_source& source) {
     struct Call {
         const lancret_source* source;
@@ -19,10 +19,10 @@ std::string error_of(const lancret_source& source) {
     pthread_attr_setstacksize(&attributes, 512 << 10);
     pthread_t thread;
     const auto work = [](void* user) -> void* {
-        Call& own = *static_cast<Call*>(user);
-        const lancret_host host = a_host(1);
-        const auto context = a_context(&host);
-        own.error = open(context.get(), *own.source).error;
+        Call& call = *static_cast<Call*>(user);
+        const lancret_host host = make_host(1);
+        const auto context = make_context(&host);
+        call.error = open(context.get(), *call.source).error;
         return nullptr;
     };
     EXPECT_EQ(pthread_create(&thread, &attributes, work, &call), 0);
@@ -41,18 +41,18 @@ std::string repeated(const std::string& text, int times) {
 
 constexpr int kDeep = 200'000;
 
-TEST(PluginDepth, NamesAreRefusedBeforeTheyAreRead) {
+TEST(PluginDepth, NamesAreRefusedBeforeParsing) {
     const std::string name = repeated("a.", kDeep) + "b";
     const std::string dots = "groom:3: a name has too many dots, expected at most 16";
     EXPECT_EQ(error_of("\n\n" + name + " = 1\n"), dots);
     EXPECT_EQ(error_of("\n\n[camera." + name + "]\n"), dots);
     EXPECT_EQ(error_of("\n\n[[camera." + name + "]]\n"), dots);
     EXPECT_EQ(error_of("\n\nx = { " + repeated("\"a\" . ", kDeep) + "b = 1 }\n"), dots);
-    // Behind strings that end in quotation marks of their own.
+    // After strings that contain quotation marks at their end.
     EXPECT_EQ(error_of("x = \"\"\"\"a\"\"\"\"\"\ny = ''''''''\n" + name + " = 1"), dots);
 }
 
-TEST(PluginDepth, ValuesAreRefusedBeforeTheyAreRead) {
+TEST(PluginDepth, ValuesAreRefusedBeforeParsing) {
     const std::string nested =
         "groom:1: values are nested too deeply, expected at most 16";
     EXPECT_EQ(error_of("x = " + repeated("[", kDeep)), nested);
@@ -69,7 +69,7 @@ TEST(PluginDepth, NamesOfParametersAreRefused) {
                                     "': goes on with too many dots, expected at most 16");
 }
 
-TEST(PluginDepth, TheDeepestThatIsReadDoesNoHarm) {
+TEST(PluginDepth, TheDeepestAllowedNamesAreRead) {
     const std::string name = repeated("a.", 15) + "a";
     EXPECT_EQ(error_of("[camera." + name + "]\n" + name + " = " +
                        repeated("{" + name + " = ", 16) + "1" + repeated("}", 16) + "\n" +
@@ -77,7 +77,7 @@ TEST(PluginDepth, TheDeepestThatIsReadDoesNoHarm) {
               "");
 }
 
-TEST(PluginDepth, DotsThatNameNothingAreLetBe) {
+TEST(PluginDepth, DotsOutsideOfNamesAreAllowed) {
     const std::string dots = repeated(".", 1000);
     EXPECT_EQ(error_of("# " + dots + "\n[camera] # \"" + dots + "\nx = '" + dots +
                        "'\ny = \"\\\"" + dots + "\"\nz = \"\"\"\n\\\"\"\"" + dots +

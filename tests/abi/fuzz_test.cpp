@@ -1,5 +1,6 @@
-// Texts that are nearly grooms: never a crash, always a status, and where it is the
-// text's fault an error that names it.
+// Texts that are nearly grooms never crash; they give a status, and if they are invalid
+// an error with a place in the text.
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,18 +29,18 @@ const char* const kWords[] = {"[",   "]",    "[[",      "]]",   "=",     "\"",  
                               ",",   "inf",  "0x7f",    "\\u0", "'",     "#",   "guides",
                               ".",   "\xff", "[width]", "3.5",  "count", "\t ", "\"\"\""};
 
-/// A text with a few of its bytes left out, doubled, changed or put elsewhere.
+/// `text` with a few bytes removed, duplicated, changed or moved.
 std::string mutated(std::string text, std::uint64_t seed) {
     std::uint64_t state = seed;
     const auto draw = [&](std::uint64_t below) {
         state = mix_bits(state + 0x9e3779b97f4a7c15u);
         return std::size_t(state % below);
     };
-    // Half of them only say other numbers: those that are still grooms.
+    // Half of the mutations change digits only, which mostly gives valid grooms.
     const bool digits_only = draw(2) == 0;
     for (std::size_t n = 1 + draw(4); n > 0 && !text.empty(); --n) {
         const std::size_t at = draw(text.size());
-        const std::size_t some = 1 + draw(12);
+        const std::size_t length = 1 + draw(12);
         if (digits_only) {
             const std::size_t digit = text.find_first_of("0123456789", at);
             if (digit != std::string::npos) text[digit] = char('0' + draw(10));
@@ -47,10 +48,10 @@ std::string mutated(std::string text, std::uint64_t seed) {
         }
         switch (draw(5)) {
             case 0:
-                text.erase(at, some);
+                text.erase(at, length);
                 break;
             case 1:
-                text.insert(at, text.substr(draw(text.size()), some));
+                text.insert(at, text.substr(draw(text.size()), length));
                 break;
             case 2:
                 text[at] = char(draw(256));
@@ -66,8 +67,8 @@ std::string mutated(std::string text, std::uint64_t seed) {
     return text;
 }
 
-/// What a mutation makes may be large by mistake (a count of "20" and a digit more): that
-/// is no fault, but takes time.
+/// Whether a mutated text has no large numbers. A large count ("20" with one more digit)
+/// is valid but slow.
 bool is_small(const std::string& text) {
     static const std::regex kNumber("[0-9_]{4,}|[eExX]");
     static const std::regex kName("[a-zA-Z_]{2,}");
@@ -75,20 +76,20 @@ bool is_small(const std::string& text) {
 }
 
 void fuzz(std::uint64_t first, int texts) {
-    const lancret_host host = a_host(1);
-    const auto context = a_context(&host);
+    const lancret_host host = make_host(1);
+    const auto context = make_context(&host);
     static const std::regex kPlace("^groom(:[0-9]+)?: .+");
     int good = 0, bad = 0, with_line = 0;
     for (int i = 0; i < texts; ++i) {
         const std::string text = mutated(kTexts[i % 2], first + std::uint64_t(i));
-        // What comes after is cut off in C anyway.
+        // C strings end at a null.
         if (text.find('\0') != std::string::npos || !is_small(text)) continue;
         const Opened out = open(context.get(), text_source(text));
         if (out.status == LANCRET_OK) {
             ++good;
             const lancret_groom_info info = info_of(out.groom.get());
             if (info.strands > 1000) continue;
-            const auto options = some_options(int(i % 5));
+            const auto options = make_options(int(i % 5));
             const lancret_status status =
                 expand_with(out.groom.get(), 0, options, [](const lancret_curves& c) {
                     for (std::size_t p = 0; p < 4 * std::size_t(c.points); ++p) {
@@ -101,7 +102,7 @@ void fuzz(std::uint64_t first, int texts) {
             ++bad;
             EXPECT_EQ(out.status, LANCRET_BAD_INPUT) << out.error << '\n' << text;
             EXPECT_EQ(out.error.find('\n'), std::string::npos) << out.error;
-            // All of it is the text's fault, and mostly of a line of it.
+            // All errors are those of the text, mostly with a line number.
             EXPECT_TRUE(std::regex_match(out.error, kPlace)) << out.error;
             with_line += out.error.find("groom:") == 0;
         }
@@ -110,7 +111,7 @@ void fuzz(std::uint64_t first, int texts) {
         const Opened out = open(context.get(), text_source(text));
         EXPECT_EQ(out.status, LANCRET_OK) << out.error;
     }
-    // The mutations reach both.
+    // Mutations are both valid and invalid.
     EXPECT_GT(good, texts / 20);
     EXPECT_GT(bad, texts / 10);
     EXPECT_GT(with_line, bad / 2);

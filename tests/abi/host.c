@@ -1,5 +1,5 @@
-/* A host in C89 that knows nothing but the header: loads the library, opens a groom,
- * expands it in every way, and says on its last line what it found.
+/* A host in C89 that uses only the header: loads the library, opens a groom, expands it in
+ * every way, and prints the number of strands and failures as its last line.
  *
  *     host LIBRARY GROOM.toml
  */
@@ -20,7 +20,7 @@ static void expect(int kept, const char *what, int line) {
 }
 #define EXPECT(x) expect((x) != 0, #x, __LINE__)
 
-/* ISO C has no conversion from an object pointer to a function's. */
+/* ISO C has no conversion from object pointers to function pointers. */
 static void load(void *library, const char *name, void *function) {
     void *symbol = dlsym(library, name);
     if (!symbol) {
@@ -40,8 +40,8 @@ static struct {
     void (*close)(lancret_groom *);
     lancret_status (*get_info)(const lancret_groom *, lancret_groom_info *);
     lancret_status (*get_guides)(const lancret_groom *, lancret_guides *);
-    lancret_status (*bound)(const lancret_groom *, lancret_u32, const lancret_options *, int,
-                            float[6]);
+    lancret_status (*get_chunk_box)(const lancret_groom *, lancret_u32, const lancret_options *,
+                                    int, float[6]);
     lancret_status (*expand)(const lancret_groom *, lancret_u32, const lancret_options *,
                              lancret_curves_sink, void *);
     lancret_status (*chunk_open)(const lancret_groom *, lancret_u32, const lancret_options *,
@@ -65,7 +65,7 @@ static void load_all(void *library) {
     load(library, "lancret_groom_close", &lancret.close);
     load(library, "lancret_groom_get_info", &lancret.get_info);
     load(library, "lancret_groom_get_guides", &lancret.get_guides);
-    load(library, "lancret_groom_get_chunk_box", &lancret.bound);
+    load(library, "lancret_groom_get_chunk_box", &lancret.get_chunk_box);
     load(library, "lancret_groom_expand_chunk", &lancret.expand);
     load(library, "lancret_chunk_open", &lancret.chunk_open);
     load(library, "lancret_chunk_get_sizes", &lancret.chunk_sizes);
@@ -78,8 +78,8 @@ static void load_all(void *library) {
     load(library, "lancret_chunk_get_figures", &lancret.chunk_figures);
 }
 
-/* What a sink sees, to be compared with what a buffer holds. */
-struct seen {
+/* What a sink received, to be compared with buffers. */
+struct received {
     lancret_u32 strands, points;
     float *positions;
     float box[6];
@@ -87,23 +87,23 @@ struct seen {
 };
 
 static lancret_status look(void *user, const lancret_curves *curves) {
-    struct seen *seen = user;
+    struct received *received = user;
     size_t bytes = (size_t)curves->points * 4 * sizeof(float);
     size_t sum = 0;
     lancret_u32 i;
     int axis;
-    seen->strands = curves->strands;
-    seen->points = curves->points;
-    seen->positions = realloc(seen->positions, bytes);
-    memcpy(seen->positions, curves->positions[0], bytes);
+    received->strands = curves->strands;
+    received->points = curves->points;
+    received->positions = realloc(received->positions, bytes);
+    memcpy(received->positions, curves->positions[0], bytes);
     for (i = 0; i < curves->strands; ++i) sum += curves->counts[i];
     EXPECT(sum == curves->points);
-    seen->outside = 0;
+    received->outside = 0;
     for (i = 0; i < curves->points; ++i) {
         const float *p = curves->positions[0] + (size_t)4 * i;
         for (axis = 0; axis < 3; ++axis) {
-            if (!(p[axis] >= seen->box[axis] && p[axis] <= seen->box[3 + axis])) {
-                ++seen->outside;
+            if (!(p[axis] >= received->box[axis] && p[axis] <= received->box[3 + axis])) {
+                ++received->outside;
             }
         }
     }
@@ -127,10 +127,11 @@ static lancret_status refuse(void *user, const lancret_curves *curves) {
     return LANCRET_CANCELLED;
 }
 
-static void try_chunk(lancret_groom *groom, lancret_u32 chunk, int basis, struct seen *seen) {
+static void try_chunk(lancret_groom *groom, lancret_u32 chunk, int basis,
+                      struct received *received) {
     lancret_options options;
-    lancret_chunk *bound = NULL;
-    lancret_chunk_info bound_info;
+    lancret_chunk *opened = NULL;
+    lancret_chunk_info chunk_info;
     lancret_curves curves;
     lancret_u32 i;
     float *points;
@@ -138,36 +139,39 @@ static void try_chunk(lancret_groom *groom, lancret_u32 chunk, int basis, struct
     memset(&options, 0, sizeof options);
     options.size = sizeof options;
     options.basis = basis;
-    EXPECT(lancret.bound(groom, chunk, &options, LANCRET_REACH, seen->box) == LANCRET_OK);
-    EXPECT(lancret.expand(groom, chunk, &options, look, seen) == LANCRET_OK);
-    EXPECT(seen->outside == 0);
-    EXPECT(lancret.bound(groom, chunk, &options, LANCRET_TIGHT, seen->box) == LANCRET_OK);
-    EXPECT(lancret.expand(groom, chunk, &options, look, seen) == LANCRET_OK);
-    /* It holds the curves: and so the points of those that pass through all of them. */
-    EXPECT(seen->outside == 0 || (basis != LANCRET_LINEAR && basis != LANCRET_HERMITE));
+    EXPECT(lancret.get_chunk_box(groom, chunk, &options, LANCRET_REACH, received->box) ==
+           LANCRET_OK);
+    EXPECT(lancret.expand(groom, chunk, &options, look, received) == LANCRET_OK);
+    EXPECT(received->outside == 0);
+    EXPECT(lancret.get_chunk_box(groom, chunk, &options, LANCRET_TIGHT, received->box) ==
+           LANCRET_OK);
+    EXPECT(lancret.expand(groom, chunk, &options, look, received) == LANCRET_OK);
+    /* The tight box holds the curves, and so the points of bases whose curves pass through
+     * all of them. */
+    EXPECT(received->outside == 0 || (basis != LANCRET_LINEAR && basis != LANCRET_HERMITE));
     EXPECT(lancret.expand(groom, chunk, &options, refuse, NULL) == LANCRET_CANCELLED);
 
-    EXPECT(lancret.chunk_open(groom, chunk, &options, &bound) == LANCRET_OK);
+    EXPECT(lancret.chunk_open(groom, chunk, &options, &opened) == LANCRET_OK);
     memset(&curves, 0, sizeof curves);
     curves.size = sizeof curves;
-    EXPECT(lancret.chunk_sizes(bound, &curves) == LANCRET_OK);
-    EXPECT(curves.points == seen->points && curves.strands == seen->strands);
-    memset(&bound_info, 0, sizeof bound_info);
-    bound_info.size = sizeof bound_info;
-    EXPECT(lancret.get_chunk_info(bound, &bound_info) == LANCRET_OK);
-    EXPECT(bound_info.strands == curves.strands);
+    EXPECT(lancret.chunk_sizes(opened, &curves) == LANCRET_OK);
+    EXPECT(curves.points == received->points && curves.strands == received->strands);
+    memset(&chunk_info, 0, sizeof chunk_info);
+    chunk_info.size = sizeof chunk_info;
+    EXPECT(lancret.get_chunk_info(opened, &chunk_info) == LANCRET_OK);
+    EXPECT(chunk_info.strands == curves.strands);
     points = malloc((size_t)curves.strands * sizeof(float));
-    EXPECT(lancret.chunk_figures(bound, LANCRET_LENGTH_ERROR, 0, points) == LANCRET_OK);
+    EXPECT(lancret.chunk_figures(opened, LANCRET_LENGTH_ERROR, 0, points) == LANCRET_OK);
     for (i = 0; i < curves.strands; ++i) EXPECT(points[i] >= 0 && points[i] <= 1e-5f);
     free(points);
-    /* 16 bytes a point, aligned as malloc aligns. */
+    /* 16 bytes per point, aligned by malloc. */
     points = malloc((size_t)curves.points * 16);
     times[0] = points;
     curves.positions = times;
-    EXPECT(lancret.chunk_write(bound, &curves) == LANCRET_OK);
-    EXPECT(memcmp(points, seen->positions, (size_t)curves.points * 16) == 0);
+    EXPECT(lancret.chunk_write(opened, &curves) == LANCRET_OK);
+    EXPECT(memcmp(points, received->positions, (size_t)curves.points * 16) == 0);
     free(points);
-    lancret.chunk_close(bound);
+    lancret.chunk_close(opened);
 }
 
 int main(int argc, char **argv) {
@@ -177,9 +181,9 @@ int main(int argc, char **argv) {
     lancret_source source;
     lancret_groom_info info;
     lancret_guides guides;
-    const double some_time = 0;
+    const double time = 0;
     int still = 0;
-    struct seen seen;
+    struct received received;
     char error[256];
     unsigned long strands = 0;
     lancret_u32 i;
@@ -216,17 +220,17 @@ int main(int argc, char **argv) {
     EXPECT(guides.guides == info.guides && guides.segments == info.segments);
     EXPECT(lancret.describe(groom, look_at_text, NULL) == LANCRET_OK);
     EXPECT(lancret.get_head(groom, 0, look_at_head, NULL) == LANCRET_OK);
-    EXPECT(lancret.is_still(groom, &some_time, 1, &still) == LANCRET_OK && still == 1);
-    memset(&seen, 0, sizeof seen);
+    EXPECT(lancret.is_still(groom, &time, 1, &still) == LANCRET_OK && still == 1);
+    memset(&received, 0, sizeof received);
     for (i = 0; i < info.chunks; ++i) {
         for (basis = LANCRET_BSPLINE; basis <= LANCRET_HERMITE; basis += 3) {
-            try_chunk(groom, i, basis, &seen);
+            try_chunk(groom, i, basis, &received);
         }
-        strands += seen.strands;
+        strands += received.strands;
     }
     EXPECT(strands == info.strands);
-    EXPECT(lancret.expand(groom, info.chunks, NULL, look, &seen) == LANCRET_BAD_CALL);
-    free(seen.positions);
+    EXPECT(lancret.expand(groom, info.chunks, NULL, look, &received) == LANCRET_BAD_CALL);
+    free(received.positions);
     lancret.close(groom);
     lancret.destroy(context);
     EXPECT(dlclose(library) == 0);

@@ -12,28 +12,28 @@
 namespace lancret {
 namespace {
 
-/// A host that counts what it is asked.
+/// A host that counts the calls of its callbacks.
 struct CountingHost {
-    std::atomic<long> lent{0}, most{0}, calls{0}, asked{0};
+    std::atomic<long> lent{0};   ///< bytes
+    std::atomic<long> polls{0};  ///< calls of `cancelled`
     std::atomic<bool> stop{false}, full{false};
     std::mutex mutex;
     std::vector<std::string> lines;
-    std::string stop_at;  ///< the line of the log at which it has had enough
+    std::string stop_at;  ///< line of the log that sets `stop`
 
     lancret_host host() {
-        lancret_host out = a_host();
+        lancret_host out = make_host();
         out.user = this;
         out.log = [](void* user, int, const char* text) {
-            auto& own = *static_cast<CountingHost*>(user);
-            const std::lock_guard lock(own.mutex);
-            own.lines.emplace_back(text);
-            if (own.lines.back() == own.stop_at) own.stop = true;
+            auto& self = *static_cast<CountingHost*>(user);
+            const std::lock_guard lock(self.mutex);
+            self.lines.emplace_back(text);
+            if (self.lines.back() == self.stop_at) self.stop = true;
         };
         out.allocate = [](void* user, std::size_t bytes, std::size_t alignment) -> void* {
-            auto& own = *static_cast<CountingHost*>(user);
-            if (own.full) return nullptr;
-            ++own.calls;
-            own.most = std::max<long>(own.most, own.lent += long(bytes));
+            auto& self = *static_cast<CountingHost*>(user);
+            if (self.full) return nullptr;
+            self.lent += long(bytes);
             return std::aligned_alloc(alignment, (bytes + 63) / 64 * 64);
         };
         out.release = [](void* user, void* memory, std::size_t bytes) {
@@ -41,21 +41,21 @@ struct CountingHost {
             std::free(memory);
         };
         out.cancelled = [](void* user) -> int {
-            auto& own = *static_cast<CountingHost*>(user);
-            ++own.asked;
-            return own.stop;
+            auto& self = *static_cast<CountingHost*>(user);
+            ++self.polls;
+            return self.stop;
         };
         return out;
     }
 };
 
-TEST(PluginHost, MemoryOfASinkIsTheHosts) {
+TEST(PluginHost, ArraysOfASinkAreInTheHostsMemory) {
     CountingHost counting;
     const lancret_host host = counting.host();
-    const auto context = a_context(&host);
+    const auto context = make_context(&host);
     const auto groom = opened(context.get(), kSmallGroom);
     lancret_u32 points = 0;
-    const auto options = some_options(LANCRET_BSPLINE);
+    const auto options = make_options(LANCRET_BSPLINE);
     const auto look = [&](const lancret_curves& curves) {
         points = curves.points;
         EXPECT_GE(counting.lent, long(points) * 16);
@@ -83,7 +83,7 @@ TEST(PluginHost, HalfAnAllocatorIsRefused) {
 TEST(PluginHost, WarningsGoToTheLog) {
     CountingHost counting;
     const lancret_host host = counting.host();
-    const auto context = a_context(&host);
+    const auto context = make_context(&host);
     const auto groom =
         opened(context.get(), kSmallGroom +
                                   "[[partings]]\npoints = [[0, 90, 0], [0, "
@@ -97,45 +97,45 @@ TEST(PluginHost, WarningsGoToTheLog) {
 TEST(PluginHost, CancelsBeforeAndInTheMiddle) {
     CountingHost counting;
     const lancret_host host = counting.host();
-    const auto context = a_context(&host);
+    const auto context = make_context(&host);
     counting.stop = true;
     const std::string large =
         "[guides]\ncount = 2000\nmade.strands = 4000\n[strands]\ncount = 400000\n";
     EXPECT_EQ(open(context.get(), text_source(large)).status, LANCRET_CANCELLED);
     counting.stop = false;
-    // In the middle of opening: as the fit begins, which takes many times as long as it
-    // takes the host to be asked.
+    // While opening: as the fit begins, which takes many times as long as the interval at
+    // which the host is polled.
     counting.stop_at = "groom: fit";
     const auto out = open(context.get(), text_source(large));
     counting.stop_at.clear();
     EXPECT_TRUE(counting.stop);
     EXPECT_EQ(out.status, LANCRET_CANCELLED);
     EXPECT_EQ(out.error, "cancelled");
-    EXPECT_GT(counting.asked, 2);
-    // What was given up is made anew when it is wanted again.
+    EXPECT_GT(counting.polls, 2);
+    // What was cancelled can be requested again.
     counting.stop = false;
     const auto groom = opened(context.get(), kSmallGroom);
     counting.stop = true;
-    EXPECT_EQ(expand_with(groom.get(), 0, some_options(LANCRET_BEZIER),
+    EXPECT_EQ(expand_with(groom.get(), 0, make_options(LANCRET_BEZIER),
                           [](const lancret_curves&) { return LANCRET_OK; }),
               LANCRET_CANCELLED);
     counting.stop = false;
-    EXPECT_EQ(expanded(groom.get(), some_options(LANCRET_BEZIER)).size(), 3000u);
+    EXPECT_EQ(expanded(groom.get(), make_options(LANCRET_BEZIER)).size(), 3000u);
 }
 
 TEST(PluginHost, ThreadLimitHolds) {
     for (const int limit : {1, 2}) {
-        const lancret_host host = a_host(limit);
-        const auto context = a_context(&host);
+        const lancret_host host = make_host(limit);
+        const auto context = make_context(&host);
         const auto groom = opened(context.get(), kSmallGroom);
-        EXPECT_EQ(expanded(groom.get(), some_options(LANCRET_BSPLINE)).size(), 3000u);
+        EXPECT_EQ(expanded(groom.get(), make_options(LANCRET_BSPLINE)).size(), 3000u);
     }
-    // One at a time: the calling thread does it all, and the sink is called on it.
-    const lancret_host host = a_host(1);
-    const auto context = a_context(&host);
+    // With one thread the calling thread does everything, and the sink is called on it.
+    const lancret_host host = make_host(1);
+    const auto context = make_context(&host);
     const auto groom = opened(context.get(), kSmallGroom);
     std::thread::id sink;
-    expand_with(groom.get(), 0, some_options(LANCRET_BSPLINE),
+    expand_with(groom.get(), 0, make_options(LANCRET_BSPLINE),
                 [&](const lancret_curves&) {
                     sink = std::this_thread::get_id();
                     return LANCRET_OK;
@@ -144,7 +144,7 @@ TEST(PluginHost, ThreadLimitHolds) {
 }
 
 TEST(PluginHost, GroomsOfOneSourceShareWhatWasLoaded) {
-    const auto context = a_context();
+    const auto context = make_context();
     const auto first = opened(context.get(), kSmallGroom);
     const auto second = opened(context.get(), kSmallGroom);
     const auto other = opened(context.get(), kSmallGroom + "density = 0.5\n");
@@ -157,33 +157,33 @@ TEST(PluginHost, GroomsOfOneSourceShareWhatWasLoaded) {
     EXPECT_EQ(guides(first), guides(second));
     EXPECT_NE(guides(first), guides(other));
     EXPECT_EQ(info_of(second.get()).fit_seconds, info_of(first.get()).fit_seconds);
-    // In another context nothing is shared.
-    const auto apart = a_context();
-    EXPECT_NE(guides(first), guides(opened(apart.get(), kSmallGroom)));
+    // Contexts share nothing.
+    const auto other_context = make_context();
+    EXPECT_NE(guides(first), guides(opened(other_context.get(), kSmallGroom)));
 }
 
-TEST(PluginHost, EightThreadsOpenExpandFreeAndCancel) {
+TEST(PluginHost, EightThreadsOpenExpandCloseAndCancel) {
     CountingHost counting;
     lancret_host host = counting.host();
-    const auto context = a_context(&host);
+    const auto context = make_context(&host);
     const auto reference = expanded(opened(context.get(), kSmallGroom, 500).get(),
-                                    some_options(LANCRET_BSPLINE));
+                                    make_options(LANCRET_BSPLINE));
     std::atomic<int> done{0}, cancelled{0};
     const auto work = [&](int number) {
         for (int round = 0; round < 6; ++round) {
             lancret_source source = text_source(kSmallGroom);
             source.chunk_strands = 500;
-            const Opened one = open(context.get(), source);
-            if (one.status == LANCRET_CANCELLED) {
+            const Opened groom = open(context.get(), source);
+            if (groom.status == LANCRET_CANCELLED) {
                 ++cancelled;
                 continue;
             }
-            ASSERT_EQ(one.status, LANCRET_OK) << one.error;
+            ASSERT_EQ(groom.status, LANCRET_OK) << groom.error;
             const auto options =
-                some_options(number % 2 ? LANCRET_BSPLINE : LANCRET_LINEAR, LANCRET_IDS);
+                make_options(number % 2 ? LANCRET_BSPLINE : LANCRET_LINEAR, LANCRET_IDS);
             AllStrands strands;
             const lancret_u32 chunk = lancret_u32(number + round) % 6;
-            const lancret_status status = expand_with(one.groom.get(), chunk, options,
+            const lancret_status status = expand_with(groom.groom.get(), chunk, options,
                                                       [&](const lancret_curves& c) {
                                                           collect(c, 0, strands);
                                                           return LANCRET_OK;
@@ -216,7 +216,7 @@ TEST(PluginHost, EightThreadsOpenExpandFreeAndCancel) {
     EXPECT_EQ(done + cancelled, 48);
     EXPECT_EQ(counting.lent, 0);
     EXPECT_EQ(expanded(opened(context.get(), kSmallGroom, 500).get(),
-                       some_options(LANCRET_BSPLINE)),
+                       make_options(LANCRET_BSPLINE)),
               reference);
 }
 

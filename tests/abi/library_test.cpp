@@ -25,9 +25,9 @@ std::string output_of(const std::string& command) {
 
 std::set<std::string> names_in(const std::string& text, const std::regex& pattern) {
     std::set<std::string> out;
-    for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end;
-         ++at) {
-        out.insert((*at)[1]);
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end;
+         ++match) {
+        out.insert((*match)[1]);
     }
     return out;
 }
@@ -51,7 +51,7 @@ bool is_mapped(const std::string& name) {
     return text.str().find(name) != std::string::npos;
 }
 
-/// Memory of this process that is in use, KiB.
+/// Resident memory of this process, KiB.
 long resident() {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);) {
@@ -60,22 +60,22 @@ long resident() {
     return 0;
 }
 
-/// A copy of the library under a name that the test program is not linked to.
-class Copy {
+/// A copy of the library with a name that the test program is not linked to.
+class LibraryCopy {
   public:
-    Copy() : path_(std::string(LANCRET_PLUGIN) + ".reload_test.so") {
+    LibraryCopy() : path_(std::string(LANCRET_PLUGIN) + ".reload_test.so") {
         std::ifstream from(LANCRET_PLUGIN, std::ios::binary);
         std::ofstream to(path_, std::ios::binary);
         to << from.rdbuf();
     }
-    ~Copy() { std::remove(path_.c_str()); }
+    ~LibraryCopy() { std::remove(path_.c_str()); }
     const std::string& path() const { return path_; }
 
   private:
     std::string path_;
 };
 
-/// Opens, expands and closes a groom through a library that is loaded for it alone.
+/// Loads the library, opens, expands and closes a groom, and unloads the library.
 void use_once(const std::string& path) {
     void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     ASSERT_TRUE(library) << dlerror();
@@ -91,7 +91,7 @@ void use_once(const std::string& path) {
     ASSERT_EQ(get(&lancret_groom_open, "lancret_groom_open")(context, &source, &groom,
                                                              nullptr, 0),
               LANCRET_OK);
-    const auto options = some_options(LANCRET_BSPLINE);
+    const auto options = make_options(LANCRET_BSPLINE);
     ASSERT_EQ(
         get(&lancret_groom_expand_chunk, "lancret_groom_expand_chunk")(
             groom, 0, &options,
@@ -104,13 +104,13 @@ void use_once(const std::string& path) {
 }
 
 TEST(PluginLibrary, UnloadsAndLoadsAgain) {
-    const Copy copy;
+    const LibraryCopy copy;
     for (int i = 0; i < 5; ++i) use_once(copy.path());
     EXPECT_FALSE(is_mapped(copy.path()));
     const long before = resident();
     for (int i = 0; i < 15; ++i) use_once(copy.path());
     EXPECT_FALSE(is_mapped(copy.path()));
-    // A library or a groom that stayed would be 15 times some MiB.
+    // A leaked library or groom would add 15 times several MiB.
     EXPECT_LT(resident() - before, 15 * 1024);
 }
 

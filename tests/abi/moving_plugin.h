@@ -1,5 +1,5 @@
 #pragma once
-// A groom that moves, for tests of the C interface.
+// A moving groom for tests of the C interface.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@
 
 namespace lancret {
 
-/// A groom whose head moves and turns, and whose guides bend, from frame 3 to 6.
+/// A groom whose head moves and rotates and whose guides bend, from frame 3 to 6.
 class MovingPlugin : public testing::Test {
   protected:
     void SetUp() override {

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of the C interface share.
+// Helpers of the tests of the C interface.
 
 #include <gtest/gtest.h>
 
@@ -25,20 +25,20 @@ struct CloseGroom {
 using ContextHandle = std::unique_ptr<lancret_context, CloseContext>;
 using GroomHandle = std::unique_ptr<lancret_groom, CloseGroom>;
 
-inline lancret_host a_host(int threads = 0) {
+inline lancret_host make_host(int threads = 0) {
     lancret_host out{};
     out.size = sizeof out;
     out.threads = threads;
     return out;
 }
 
-inline ContextHandle a_context(const lancret_host* host = nullptr) {
+inline ContextHandle make_context(const lancret_host* host = nullptr) {
     lancret_context* out = nullptr;
     EXPECT_EQ(lancret_context_create(LANCRET_ABI_VERSION, host, &out), LANCRET_OK);
     return ContextHandle(out);
 }
 
-/// The text must outlive it.
+/// `text` must outlive it.
 inline lancret_source text_source(const std::string& text) {
     lancret_source out{};
     out.size = sizeof out;
@@ -78,7 +78,7 @@ inline lancret_groom_info info_of(const lancret_groom* groom) {
     return out;
 }
 
-inline lancret_options some_options(int basis, lancret_u32 attributes = 0) {
+inline lancret_options make_options(int basis, lancret_u32 attributes = 0) {
     lancret_options out{};
     out.size = sizeof out;
     out.basis = basis;
@@ -86,7 +86,7 @@ inline lancret_options some_options(int basis, lancret_u32 attributes = 0) {
     return out;
 }
 
-/// One strand's arrays, point after point.
+/// The arrays of one strand.
 struct StrandArrays {
     std::vector<float> positions, tangents, normals, arc_lengths, weights;
     std::vector<lancret_u32> guides;
@@ -108,19 +108,21 @@ inline lancret_status expand_with(
         const_cast<void*>(static_cast<const void*>(&sink)));
 }
 
-/// What a sink is handed at time `t`; ids must be asked for.
+/// Adds the strands of a sink's curves at time `t`; requires ids.
 inline void collect(const lancret_curves& c, std::size_t t, AllStrands& out) {
-    std::size_t at = 0;
+    std::size_t first = 0;
     for (std::size_t i = 0; i < c.strands; ++i) {
         StrandArrays s;
         const auto rows = [&](const float* const* from, std::vector<float>& to) {
-            if (from) to.assign(from[t] + 4 * at, from[t] + 4 * (at + c.counts[i]));
+            if (from) to.assign(from[t] + 4 * first, from[t] + 4 * (first + c.counts[i]));
         };
         rows(c.positions, s.positions);
         rows(c.tangents, s.tangents);
         rows(c.normals, s.normals);
-        if (c.arc_lengths)
-            s.arc_lengths.assign(c.arc_lengths + at, c.arc_lengths + at + c.counts[i]);
+        if (c.arc_lengths) {
+            s.arc_lengths.assign(c.arc_lengths + first,
+                                 c.arc_lengths + first + c.counts[i]);
+        }
         const std::size_t k = c.neighbours;
         if (c.guides) {
             s.guides.assign(c.guides + i * k, c.guides + (i + 1) * k);
@@ -129,13 +131,13 @@ inline void collect(const lancret_curves& c, std::size_t t, AllStrands& out) {
         if (c.root_uv) s.u = c.root_uv[2 * i], s.v = c.root_uv[2 * i + 1];
         if (c.lengths) s.length = c.lengths[i];
         if (c.random) s.random = c.random[i];
-        EXPECT_TRUE(out.emplace(c.ids[i], std::move(s)).second) << "twice";
-        at += c.counts[i];
+        EXPECT_TRUE(out.emplace(c.ids[i], std::move(s)).second) << "duplicate id";
+        first += c.counts[i];
     }
-    EXPECT_EQ(at, c.points);
+    EXPECT_EQ(first, c.points);
 }
 
-/// The whole groom; chunks from the last to the first where `backwards`.
+/// All strands of a groom; chunks are expanded in reverse order if `backwards`.
 inline AllStrands expanded(const lancret_groom* groom, lancret_options options,
                            bool backwards = false, std::size_t time = 0) {
     options.attributes |= LANCRET_IDS;

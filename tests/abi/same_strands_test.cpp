@@ -30,24 +30,24 @@ Curves curves_of(const ReadyGroom& ready) {
 void expect_same_positions(const AllStrands& strands, const Curves& curves) {
     ASSERT_EQ(strands.size(), curves.strands);
     for (std::uint32_t i = 0; i < curves.strands; ++i) {
-        const auto at = strands.find(curves.id_of(i));
-        ASSERT_NE(at, strands.end());
+        const auto found = strands.find(curves.id_of(i));
+        ASSERT_NE(found, strands.end());
         const std::size_t m = curves.points_of(i);
-        const auto same = [&](const std::vector<float>& own,
-                              const Buffer<Point4f>& theirs) {
-            return own.size() == 4 * m &&
-                   std::memcmp(own.data(), theirs.data() + curves.first_point(i),
+        const auto same = [&](const std::vector<float>& plugin,
+                              const Buffer<Point4f>& library) {
+            return plugin.size() == 4 * m &&
+                   std::memcmp(plugin.data(), library.data() + curves.first_point(i),
                                m * sizeof(Point4f)) == 0;
         };
-        ASSERT_TRUE(same(at->second.positions, curves.points)) << "strand " << i;
+        ASSERT_TRUE(same(found->second.positions, curves.points)) << "strand " << i;
         if (curves.basis == CurveBasis::hermite) {
-            ASSERT_TRUE(same(at->second.tangents, curves.tangents)) << "strand " << i;
+            ASSERT_TRUE(same(found->second.tangents, curves.tangents)) << "strand " << i;
         }
     }
 }
 
 TEST(Plugin, StrandsAreThoseOfTheLibraryBitForBit) {
-    const auto context = a_context();
+    const auto context = make_context();
     int adapted = 0;
     for (const char* blend : {"detail", "position", "option1", "bishop"}) {
         const std::string text = kSmallGroom + "blend = \"" + blend + "\"\n";
@@ -57,17 +57,17 @@ TEST(Plugin, StrandsAreThoseOfTheLibraryBitForBit) {
                 curves_of(direct(text, basis == LANCRET_HERMITE ? CurveBasis::hermite
                                                                 : CurveBasis::bspline));
             adapted += curves.classes.size() > 1;
-            expect_same_positions(expanded(groom.get(), some_options(basis)), curves);
+            expect_same_positions(expanded(groom.get(), make_options(basis)), curves);
         }
     }
-    EXPECT_GE(adapted, 4);  // Hermite curves of this groom are alike
+    EXPECT_GE(adapted, 4);  // Hermite curves of this groom have a single class
 }
 
 TEST(Plugin, StrandsAreThoseOfTheLibraryAtADensity) {
-    const auto context = a_context();
+    const auto context = make_context();
     const ReadyGroom ready = direct(kSmallGroom + "density = 0.3\n");
     const auto groom = opened(context.get(), kSmallGroom, 512);
-    auto options = some_options(LANCRET_BSPLINE);
+    auto options = make_options(LANCRET_BSPLINE);
     options.density = 0.3;
     expect_same_positions(expanded(groom.get(), options), curves_of(ready));
 }
@@ -78,12 +78,12 @@ TEST(Plugin, StrandsAreTheSameForAnyChunksOrderAndThreads) {
         AllStrands first;
         for (const auto& [chunk, threads] : std::vector<std::pair<lancret_u32, int>>{
                  {0, 0}, {1, 1}, {333, 1}, {1000, 2}}) {
-            if (chunk == 1 && basis != LANCRET_BEZIER) continue;  // 3000 calls: once
-            const lancret_host host = a_host(threads);
-            const auto context = a_context(&host);
+            if (chunk == 1 && basis != LANCRET_BEZIER) continue;  // 3000 calls are slow
+            const lancret_host host = make_host(threads);
+            const auto context = make_context(&host);
             const auto groom = opened(context.get(), kSmallGroom, chunk);
             const auto strands =
-                expanded(groom.get(), some_options(basis, kAll), chunk == 333);
+                expanded(groom.get(), make_options(basis, kAll), chunk == 333);
             EXPECT_EQ(strands.size(), 3000u);
             if (first.empty()) first = strands;
             EXPECT_TRUE(strands == first) << basis << ' ' << chunk;
@@ -92,12 +92,12 @@ TEST(Plugin, StrandsAreTheSameForAnyChunksOrderAndThreads) {
 }
 
 TEST(Plugin, OtherBasesAreTheSameCurves) {
-    // Bezier: Hermite's places and a third of their tangents, to round-off of float at
-    // 30 cm: a few 1e-6.
-    const auto context = a_context();
+    // Bezier points are Hermite points and a third of their tangents, within the rounding
+    // of float at 30 cm: a few 1e-6.
+    const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom);
-    const auto hermite = expanded(groom.get(), some_options(LANCRET_HERMITE));
-    const auto bezier = expanded(groom.get(), some_options(LANCRET_BEZIER));
+    const auto hermite = expanded(groom.get(), make_options(LANCRET_HERMITE));
+    const auto bezier = expanded(groom.get(), make_options(LANCRET_BEZIER));
     for (const auto& [id, strand] : hermite) {
         const std::vector<float>&p = strand.positions, &t = strand.tangents,
               &b = bezier.at(id).positions;
@@ -115,15 +115,15 @@ TEST(Plugin, OtherBasesAreTheSameCurves) {
 }
 
 TEST(Plugin, MaxErrorHoldsInEveryBasis) {
-    const auto context = a_context();
+    const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom);
     for (const float error : {0.1f, 0.01f, 1e-3f}) {
         for (const int basis : {LANCRET_LINEAR, LANCRET_BSPLINE, LANCRET_CATMULL_ROM,
                                 LANCRET_BEZIER, LANCRET_HERMITE}) {
-            // The finest are long; these two must not be cut coarser than others.
+            // The finest ones are slow; test two of the bases.
             const bool slow = error < 0.01f && basis != LANCRET_BSPLINE;
             if (slow && basis != LANCRET_HERMITE) continue;
-            auto options = some_options(basis);
+            auto options = make_options(basis);
             options.max_error = error;
             lancret_check check{};
             check.size = sizeof check;
@@ -131,7 +131,7 @@ TEST(Plugin, MaxErrorHoldsInEveryBasis) {
                       LANCRET_OK);
             EXPECT_EQ(check.strands, 3000u);
             EXPECT_LE(check.distance, error) << basis;
-            // Cut no finer than it takes: a hundredth of it would be.
+            // And the strands are not much finer than necessary.
             EXPECT_GT(check.distance, error / 100) << basis;
             EXPECT_EQ(check.outside, 0u) << basis;
             EXPECT_LE(check.orthogonality, 1e-6);
@@ -140,32 +140,31 @@ TEST(Plugin, MaxErrorHoldsInEveryBasis) {
     }
 }
 
-TEST(Plugin, AnErrorThatCannotBeKeptIsTold) {
+TEST(Plugin, AnErrorThatCannotBeMetIsLogged) {
     std::vector<std::string> warnings;
-    lancret_host host = a_host(1);  // whose log comes from one thread
+    lancret_host host = make_host(1);  // logs from one thread
     host.user = &warnings;
     host.log = [](void* user, int level, const char* text) {
         if (level != LANCRET_LOG_WARNING) return;
         static_cast<std::vector<std::string>*>(user)->emplace_back(text);
     };
-    const auto context = a_context(&host);
+    const auto context = make_context(&host);
     const auto groom = opened(context.get(), kSmallGroom);
-    const auto ask = [&](int basis) {
-        auto options = some_options(basis);
+    const auto request = [&](int basis) {
+        auto options = make_options(basis);
         options.max_error = 1e-4f;
         float box[6];
         EXPECT_EQ(
             lancret_groom_get_chunk_box(groom.get(), 0, &options, LANCRET_REACH, box),
             LANCRET_OK);
     };
-    ask(LANCRET_HERMITE);
+    request(LANCRET_HERMITE);
     EXPECT_TRUE(warnings.empty());
-    // A chord of an interval of 1/1024 of these curls is off by more.
-    ask(LANCRET_LINEAR);
-    ask(LANCRET_LINEAR);
+    // Chords of 1/1024 of these curls deviate by more.
+    request(LANCRET_LINEAR);
+    request(LANCRET_LINEAR);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("off their strands, not 0.0001 as asked for"),
-              std::string::npos)
+    EXPECT_NE(warnings[0].find("more than the requested 0.0001 cm"), std::string::npos)
         << warnings[0];
 }
 

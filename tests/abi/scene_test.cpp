@@ -1,4 +1,5 @@
-// What a host is told of a groom besides its curves.
+// What a host can query of a groom besides its curves.
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -36,21 +37,21 @@ TriangleMesh head_of(const lancret_groom* groom, double time = 0) {
     return out;
 }
 
-struct ChunkBinding {
+struct OpenChunk {
     lancret_chunk* handle = nullptr;
     lancret_curves sizes{};
 
-    ChunkBinding(const lancret_groom* groom, lancret_u32 chunk,
-                 const lancret_options& options) {
+    OpenChunk(const lancret_groom* groom, lancret_u32 chunk,
+              const lancret_options& options) {
         EXPECT_EQ(lancret_chunk_open(groom, chunk, &options, &handle), LANCRET_OK);
         sizes.size = sizeof sizes;
         EXPECT_EQ(lancret_chunk_get_sizes(handle, &sizes), LANCRET_OK);
     }
-    ~ChunkBinding() { lancret_chunk_close(handle); }
+    ~OpenChunk() { lancret_chunk_close(handle); }
 };
 
-TEST(PluginScene, InfoSaysWhatToFrameAndHowToDraw) {
-    const auto context = a_context();
+TEST(PluginScene, InfoHasBoxBasisAndShape) {
+    const auto context = make_context();
     const ReadyGroom ready = direct(kSmallGroom);
     const Eigen::AlignedBox3f box = guide_box(ready);
     const auto groom = opened(context.get(), kSmallGroom);
@@ -72,16 +73,16 @@ TEST(PluginScene, InfoSaysWhatToFrameAndHowToDraw) {
     EXPECT_EQ(shaped("shape = 'ribbon'\n").shape, LANCRET_RIBBON);
 }
 
-TEST(PluginScene, TheHeadIsTheGroomsOwn) {
-    const auto context = a_context();
+TEST(PluginScene, TheHeadIsThatOfTheGroom) {
+    const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom);
     const ReadyGroom ready = direct(kSmallGroom);
     const TriangleMesh head = head_of(groom.get());
     const PlacedGuides& source = ready.source;
-    const TriangleMesh& own = source.body ? *source.body : source.scalp->mesh;
+    const TriangleMesh& mesh = source.body ? *source.body : source.scalp->mesh;
     ASSERT_GT(head.triangles.size(), 100u);
-    EXPECT_EQ(head.positions, own.positions);
-    EXPECT_EQ(head.triangles, own.triangles);
+    EXPECT_EQ(head.positions, mesh.positions);
+    EXPECT_EQ(head.triangles, mesh.triangles);
     EXPECT_EQ(lancret_groom_get_head(
                   groom.get(), 0,
                   [](void*, const lancret_mesh*) { return lancret_status(7); }, nullptr),
@@ -90,7 +91,7 @@ TEST(PluginScene, TheHeadIsTheGroomsOwn) {
 }
 
 TEST(PluginScene, DescriptionIsJson) {
-    const auto context = a_context();
+    const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom);
     std::string text;
     ASSERT_EQ(
@@ -106,23 +107,23 @@ TEST(PluginScene, DescriptionIsJson) {
     EXPECT_GT(json.at("fit").at("rms_over_length_max"), 0);
 }
 
-TEST(PluginScene, FiguresAreThoseOfTheLibraryByPlace) {
-    const auto context = a_context();
+TEST(PluginScene, FiguresAreThoseOfTheLibrary) {
+    const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom, 5000);  // one chunk
     const ReadyGroom ready = direct(kSmallGroom);
     const ClassedGuides classed = rest_guides(ready);
     const Blend blend = ready.groom.expand.blend;
-    const ChunkBinding chunk(groom.get(), 0, some_options(LANCRET_BSPLINE));
+    const OpenChunk chunk(groom.get(), 0, make_options(LANCRET_BSPLINE));
     ASSERT_EQ(chunk.sizes.strands, 3000u);
     const auto figures = [&](int figure, std::size_t count) {
         std::vector<float> out(count + 1, -7);
         EXPECT_EQ(lancret_chunk_get_figures(chunk.handle, figure, 0, out.data()),
                   LANCRET_OK);
-        EXPECT_EQ(out.back(), -7) << "beyond the end";
+        EXPECT_EQ(out.back(), -7) << "written beyond the end";
         out.pop_back();
         return out;
     };
-    // n + 3 points of n intervals.
+    // n intervals have n + 3 points.
     const std::size_t intervals = chunk.sizes.points - 3 * chunk.sizes.strands;
     EXPECT_EQ(figures(LANCRET_CURVATURE, intervals),
               curvature_values(ready.binding, classed, blend).values);
@@ -150,7 +151,7 @@ TEST(PluginScene, FiguresAreThoseOfTheLibraryByPlace) {
 }
 
 TEST(PluginScene, WhatDoesNotMoveIsStill) {
-    const auto context = a_context();
+    const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom);
     const double times[] = {0, 5, 1e9};
     int still = 0;

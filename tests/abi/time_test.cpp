@@ -12,7 +12,7 @@ namespace {
 using PluginTime = MovingPlugin;
 
 TEST_F(PluginTime, StrandsAreThoseOfTheLibraryAtAndBetweenFrames) {
-    const auto context = a_context();
+    const auto context = make_context();
     const auto groom = open_cache(context.get(), 800);
     const lancret_groom_info info = info_of(groom.get());
     EXPECT_EQ(info.first_frame, 3);
@@ -24,13 +24,14 @@ TEST_F(PluginTime, StrandsAreThoseOfTheLibraryAtAndBetweenFrames) {
     const GroomTimes times =
         groom_times(sourced.groom, head_pose(sourced.motion, sourced.groom));
     const RestPlaces rest = prepare_frames(ready, times);
-    // Twice the same, and one beyond the end, which is held.
-    const std::vector<double> asked = {3, 4.25, 6, 4.25, 100};
-    auto options = some_options(LANCRET_BSPLINE);
-    options.times = asked.data();
-    options.time_count = asked.size();
-    for (std::size_t t = 0; t < asked.size(); ++t) {
-        const FrameState state = go_to_frame(ready, rest, times, std::min(asked[t], 6.0));
+    // One of them twice, and one beyond the end, which is clamped.
+    const std::vector<double> requested = {3, 4.25, 6, 4.25, 100};
+    auto options = make_options(LANCRET_BSPLINE);
+    options.times = requested.data();
+    options.time_count = requested.size();
+    for (std::size_t t = 0; t < requested.size(); ++t) {
+        const FrameState state =
+            go_to_frame(ready, rest, times, std::min(requested[t], 6.0));
         const Curves curves = expand(ready.binding, state.classed, ready.groom.expand);
         const auto strands = expanded(groom.get(), options, false, t);
         ASSERT_EQ(strands.size(), curves.strands);
@@ -43,13 +44,13 @@ TEST_F(PluginTime, StrandsAreThoseOfTheLibraryAtAndBetweenFrames) {
                                   curves.points.data() + curves.first_point(place),
                                   m * sizeof(Point4f)),
                       0)
-                << asked[t];
+                << requested[t];
         }
     }
 }
 
 TEST_F(PluginTime, WhatMovesIsNotStill) {
-    const auto context = a_context();
+    const auto context = make_context();
     const auto groom = open_cache(context.get());
     const auto still = [&](std::vector<double> times) {
         int out = -1;
@@ -60,17 +61,17 @@ TEST_F(PluginTime, WhatMovesIsNotStill) {
     EXPECT_EQ(still({3, 4}), 0);
     EXPECT_EQ(still({3, 3, 5.5}), 0);
     EXPECT_EQ(still({4.5, 4.5}), 1);
-    EXPECT_EQ(still({6, 100}), 1);  // held beyond the end
+    EXPECT_EQ(still({6, 100}), 1);  // clamped to the end
     EXPECT_EQ(info_of(groom.get()).frames, 4);
 }
 
-/// visit(place and radius) along Hermite curves whose points go straight from each time
-/// to the next: at the times and at thirds between them, at quarters of each segment.
+/// visit(position and radius) at quarters of each segment of Hermite curves whose points
+/// move linearly from each time to the next: at the times and at thirds between them.
 template <class Visit>
 void each_place_between(const lancret_curves& c, const Visit& visit) {
-    const auto point = [&](const float* const* of, std::size_t time, float share,
+    const auto point = [&](const float* const* values, std::size_t time, float share,
                            std::size_t p) {
-        const float *a = of[time] + 4 * p, *b = of[time + 1] + 4 * p;
+        const float *a = values[time] + 4 * p, *b = values[time + 1] + 4 * p;
         const auto mix = [&](int i) { return (1 - share) * a[i] + share * b[i]; };
         return Point4f{mix(0), mix(1), mix(2), mix(3)};
     };
@@ -101,28 +102,28 @@ void each_place_between(const lancret_curves& c, const Visit& visit) {
     }
 }
 
-TEST_F(PluginTime, BoundsHoldAllTimesAndBetween) {
-    const auto context = a_context();
+TEST_F(PluginTime, BoxesHoldAllTimesAndBetween) {
+    const auto context = make_context();
     const auto groom = open_cache(context.get(), 800);
-    const std::vector<double> asked = {3.5, 4, 5.5};
-    auto options = some_options(LANCRET_HERMITE);
-    options.times = asked.data();
-    options.time_count = asked.size();
+    const std::vector<double> requested = {3.5, 4, 5.5};
+    auto options = make_options(LANCRET_HERMITE);
+    options.times = requested.data();
+    options.time_count = requested.size();
     for (const int kind : {LANCRET_REACH, LANCRET_TIGHT}) {
         for (lancret_u32 chunk = 0; chunk < info_of(groom.get()).chunks; ++chunk) {
             float box[6];
             ASSERT_EQ(
                 lancret_groom_get_chunk_box(groom.get(), chunk, &options, kind, box),
                 LANCRET_OK);
-            std::size_t outside = 0, looks = 0;
+            std::size_t outside = 0, visits = 0;
             const auto look = [&](const lancret_curves& c) {
                 EXPECT_EQ(c.times, 3u);
                 each_place_between(c, [&](const Point4f& at) {
-                    // Places of 20 cm and sums of eight of them, rounded in float.
+                    // Sums of eight coordinates of 20 cm, rounded to float.
                     constexpr float kRounding = 8 * 20 * 6e-8f;
                     const Vec3f p = at.xyz();
                     const float reach = at.w - kRounding;
-                    ++looks;
+                    ++visits;
                     for (int a = 0; a < 3; ++a) {
                         outside +=
                             !(p[a] - reach >= box[a] && p[a] + reach <= box[3 + a]);
@@ -132,17 +133,17 @@ TEST_F(PluginTime, BoundsHoldAllTimesAndBetween) {
             };
             ASSERT_EQ(expand_with(groom.get(), chunk, options, look), LANCRET_OK);
             EXPECT_EQ(outside, 0u);
-            EXPECT_GT(looks, 10000u);
+            EXPECT_GT(visits, 10000u);
         }
     }
 }
 
 TEST_F(PluginTime, BuffersGetWhatASinkGets) {
-    const auto context = a_context();
+    const auto context = make_context();
     const auto groom = open_cache(context.get());
-    const std::vector<double> asked = {3, 5.5};
-    auto options = some_options(LANCRET_CATMULL_ROM);
-    options.times = asked.data();
+    const std::vector<double> requested = {3, 5.5};
+    auto options = make_options(LANCRET_CATMULL_ROM);
+    options.times = requested.data();
     options.time_count = 2;
     lancret_chunk* chunk = nullptr;
     ASSERT_EQ(lancret_chunk_open(groom.get(), 0, &options, &chunk), LANCRET_OK);

@@ -1,5 +1,5 @@
 #pragma once
-// The groom that the adapters are tried on, and what the C interface says of it.
+// The groom that the adapters are tested with, and its curves through the C interface.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,8 @@ namespace lancret {
 
 /// A head of 40 guides and 300 strands.
 struct MadeGroom : TemporaryFolder {
-    std::string path = (*this / "made groom.toml").string();  // hosts quote names
+    std::string path =
+        (*this / "made groom.toml").string();  // a name that must be quoted
 
     MadeGroom() {
         write_bytes(path,
@@ -22,13 +23,13 @@ struct MadeGroom : TemporaryFolder {
     }
 };
 
-/// A chunk, copied.
+/// A copy of a chunk.
 struct AbiCurves {
     int basis = 0;
     lancret_u32 neighbours = 0;
     std::vector<lancret_u32> counts, ids, guides;
-    std::vector<std::vector<float>> positions, tangents,
-        normals;  ///< [times][points * 4]
+    /// [times][points * 4]
+    std::vector<std::vector<float>> positions, tangents, normals;
     std::vector<float> root_uv, lengths, weights, arc_lengths, random;
 };
 
@@ -57,7 +58,7 @@ inline lancret_status copy_curves(void* user, const lancret_curves* from) {
     return LANCRET_OK;
 }
 
-/// A groom opened by the C interface alone.
+/// A groom opened through the C interface.
 struct AbiGroom {
     lancret_context* context = nullptr;
     lancret_groom* groom = nullptr;

@@ -1,4 +1,4 @@
-// What docs/plugin.md shows is what compiles.
+// The example of docs/plugin.md compiles and runs.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace lancret {
 namespace {
 
-/// The first C block of the page.
+/// The first C block of the page; empty if there is none.
 std::string example() {
     const std::string page =
         read_bytes(std::filesystem::path(LANCRET_SOURCE_DIR) / "docs" / "plugin.md");
@@ -64,7 +64,7 @@ TEST(DocExample, CountsThePointsOfAGroom) {
     EXPECT_EQ(printed, points);
 }
 
-TEST(DocExample, TellsWhatIsWrongWithAFile) {
+TEST(DocExample, FailsForAMissingFile) {
     const Compiled compiled;
     ASSERT_EQ(compiled.compile(), 0);
     EXPECT_NE(std::system(("'" + compiled.program + "' none.toml > /dev/null").c_str()),

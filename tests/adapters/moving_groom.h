@@ -1,5 +1,5 @@
 #pragma once
-// A groom that moves: a cache of two frames.
+// A moving groom: a cache of two frames.
 
 #include <cmath>
 #include <numbers>
@@ -10,8 +10,8 @@
 
 namespace lancret {
 
-/// turn.h5: at frame 1 the groom of made.toml at rest, at frame 2 turned about the neck
-/// by 15 degrees with the head.
+/// turn.h5: the groom at rest at frame 1, rotated with the head by 15 degrees about the
+/// neck at frame 2.
 struct MovingGroom : MadeGroom {
     std::string cache = (*this / "turn.h5").string();
 

@@ -1,5 +1,5 @@
-// The contract of RenderMan's procedurals: reached never, once or twice, from any thread,
-// and freed.
+// The contract of RenderMan's procedurals: subdivided never, once or twice, from any
+// thread, and freed.
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -39,7 +39,7 @@ TEST(RendermanContract, ExpandedTwiceIsTheSame) {
     for (std::size_t i = chunks; i-- > 0;) {
         EXPECT_EQ(host.subdivide(host.children[i]), once[i]);
     }
-    host.subdivide_root(root);  // the groom as well
+    host.subdivide_root(root);  // the root twice as well
     ASSERT_EQ(host.children.size(), 2 * chunks);
     for (std::size_t i = 0; i < chunks; ++i) {
         EXPECT_EQ(host.subdivide(host.children[chunks + i]), once[i]);
@@ -57,7 +57,7 @@ TEST(RendermanContract, ChunksOutliveTheirGroomsProcedural) {
     EXPECT_EQ(host.subdivide(host.children.at(1)), before);
 }
 
-TEST(RendermanContract, ManyThreadsReachAtOnce) {
+TEST(RendermanContract, ManyThreadsSubdivideAtOnce) {
     const MadeGroom made;
     RibHost alone(kDso);
     const std::string expected = alone.rib_of(parameters_of(made));
@@ -65,7 +65,7 @@ TEST(RendermanContract, ManyThreadsReachAtOnce) {
     RibHost host(kDso);
     const RtPointer root = host.convert(parameters_of(made));
     {
-        // The groom itself by several: it is opened once, and makes its children for
+        // Several threads subdivide the root: it is opened once and emits its children to
         // each.
         std::vector<std::jthread> threads;
         for (int t = 0; t < 4; ++t) {
@@ -97,32 +97,31 @@ TEST(RendermanContract, ManyThreadsReachAtOnce) {
               expected.size());
 }
 
-TEST(RendermanContract, NeverReachedLeaksNothing) {
+TEST(RendermanContract, ChunksThatAreNeverReachedLeakNothing) {
     const MadeGroom made;
     const std::size_t groom_bytes = AbiGroom(made.path, 32).info.bytes;
     ASSERT_GT(groom_bytes, 10000u);
     const auto cycle = [&] {
         RibHost host(kDso);
-        host.free_root(host.convert(parameters_of(made)));  // the groom is not reached
+        host.free_root(host.convert(parameters_of(made)));  // never subdivided
         const RtPointer root = host.convert(parameters_of(made));
         host.subdivide_root(root);
-        host.subdivide(host.children.at(0));  // one chunk of many is
+        host.subdivide(host.children.at(0));  // one chunk of many
         host.free_root(root);
         host.free_children();
     };
-    for (int i = 0; i < 4; ++i) cycle();  // what libraries keep once and for all
+    for (int i = 0; i < 4; ++i) cycle();  // one-time allocations of libraries
     const std::size_t before = mallinfo2().uordblks;
     for (int i = 0; i < 16; ++i) cycle();
-    // A groom that was kept each time would be 16; caches of the allocator's own come and
-    // go by less than one.
+    // A leak would add 16 grooms; caches of the allocator vary by less than one.
     EXPECT_LT(mallinfo2().uordblks, before + groom_bytes);
 }
 
-TEST(RendermanContract, AFailureIsToldAndMakesNothing) {
+TEST(RendermanContract, AFailureIsReportedAndEmitsNothing) {
     const MadeGroom made;
     RibHost host(kDso);
     const RtPointer root = host.convert("file=none.toml");
-    ASSERT_NE(root, nullptr);  // not looked at before it is reached
+    ASSERT_NE(root, nullptr);  // not opened before it is reached
     host.subdivide_root(root);
     EXPECT_TRUE(host.children.empty());
     EXPECT_NE(host.errors.find("none.toml"), std::string::npos) << host.errors;
@@ -133,9 +132,9 @@ TEST(RendermanContract, AFailureIsToldAndMakesNothing) {
     EXPECT_NE(host.errors.find("blend"), std::string::npos) << host.errors;
 }
 
-TEST(RendermanContract, AWrongStringIsRefusedWithItsPlace) {
+TEST(RendermanContract, AnInvalidStringIsRefusedWithItsPosition) {
     RibHost host(kDso);
-    constexpr std::array<const char*, 2> kWrong[] = {
+    constexpr std::array<const char*, 2> kInvalid[] = {
         {"", "no file"},
         {"a.toml b.toml", "character 8"},
         {"a.toml speed=3", "speed: unknown parameter"},
@@ -153,13 +152,13 @@ TEST(RendermanContract, AWrongStringIsRefusedWithItsPlace) {
         {"'a.toml'x", "expected a space"},
         {"=3", "expected a name"},
     };
-    for (const auto& [text, reason] : kWrong) {
+    for (const auto& [text, reason] : kInvalid) {
         host.errors.clear();
         EXPECT_EQ(host.convert(text), nullptr) << text;
         EXPECT_NE(host.errors.find(reason), std::string::npos)
             << text << ": " << host.errors;
     }
-    host.subdivide_function(nullptr, 1);  // what a renderer might do all the same
+    host.subdivide_function(nullptr, 1);  // as a renderer might all the same
     host.free_function(nullptr);
 }
 
@@ -201,7 +200,7 @@ TEST(RendermanContract, AnyStringIsReadOrRefusedWithAReason) {
     EXPECT_LT(refused, 19900);
 }
 
-/// What a shared library offers, by nm.
+/// Names that a shared library exports, as listed by nm.
 std::set<std::string> exported(const std::string& library) {
     std::set<std::string> out;
     FILE* pipe = popen(("nm -D --defined-only '" + library + "'").c_str(), "r");
@@ -213,16 +212,16 @@ std::set<std::string> exported(const std::string& library) {
     return out;
 }
 
-TEST(RendermanContract, TheLibraryExportsItsThreeFunctionsAlone) {
+TEST(RendermanContract, TheLibraryExportsOnlyItsThreeFunctions) {
     EXPECT_EQ(exported(kDso),
               (std::set<std::string>{"ConvertParameters", "Subdivide", "Free"}));
 }
 
-TEST(RendermanContract, FailuresAtOnceAreToldOfTheirOwnGrooms) {
+TEST(RendermanContract, ConcurrentFailuresNameTheirOwnGrooms) {
     const MovingGroom one, two;
     RibHost host(kDso);
-    // More times than Lancret keeps the guides of: those of the first it will read again,
-    // from a cache that is no longer there.
+    // More times than Lancret caches the guides of: those of the first time are read
+    // again, from a cache file that was removed.
     constexpr int kTimes = 20, kTurns = 2000;
     for (const MovingGroom* groom : {&one, &two}) {
         for (int i = 0; i < kTimes; ++i) {

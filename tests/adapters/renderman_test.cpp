@@ -1,4 +1,4 @@
-// RenderMan's procedural, as a renderer sees it.
+// RenderMan's procedural, as seen by a renderer.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 const std::string kDso = LANCRET_RENDERMAN;
 
-/// "file='...' chunk_strands=64 " and the rest.
+/// "file='...' chunk_strands=64 " followed by `rest`.
 std::string parameters_of(const std::string& file, const std::string& rest) {
     std::string out = "file='";
     return out.append(file).append("' chunk_strands=64 ").append(rest);
@@ -36,7 +36,7 @@ constexpr NamedBasis kBases[] = {{"linear", LANCRET_LINEAR},
                                  {"bezier", LANCRET_BEZIER},
                                  {"hermite", LANCRET_HERMITE}};
 
-/// The points that the renderer was given, as the ABI gives them: x y z radius.
+/// The points that the renderer received, in the form of the C interface: x y z radius.
 std::vector<float> abi_points(const RibCurves& curves, bool hermite) {
     const std::vector<float>& points = curves.values.at("P");
     const bool constant = curves.values.contains("constantwidth");
@@ -49,7 +49,7 @@ std::vector<float> abi_points(const RibCurves& curves, bool hermite) {
     return out;
 }
 
-TEST(Renderman, GivesThePointsAndWidthsOfTheInterfaceInEveryBasis) {
+TEST(Renderman, EmitsThePointsAndWidthsOfTheInterfaceInEveryBasis) {
     const MadeGroom made;
     const AbiGroom groom(made.path, 64);
     ASSERT_GT(groom.info.chunks, 1u);
@@ -97,7 +97,7 @@ TEST(Renderman, HermiteCurvesHaveTheTangentsOfTheInterface) {
     EXPECT_EQ(tangents, abi.tangents.at(0));
 }
 
-TEST(Renderman, GivesPrimvarsOfTheirClasses) {
+TEST(Renderman, EmitsPrimvarsOfTheirClasses) {
     const MadeGroom made;
     const AbiGroom groom(made.path, 64);
     RibHost host(kDso);
@@ -126,7 +126,7 @@ TEST(Renderman, GivesPrimvarsOfTheirClasses) {
     EXPECT_EQ(values.at("vertex normal N"), normals);
 }
 
-/// How far a chunk's curves, with their widths, stick out of its bound.
+/// Largest distance of a chunk's curves, with their widths, outside its bound, cm.
 float outside(const RibChunk& chunk) {
     float out = -1e30f;
     for (const RibCurves& curves : chunk.curves) {
@@ -140,8 +140,8 @@ float outside(const RibChunk& chunk) {
     return out;
 }
 
-// Curves are evaluated here in floats, of coordinates below 64 cm: sums of four products
-// are off by a few of 64 * 2^-24 = 4e-6 cm.
+// Curves are evaluated in float, with coordinates below 64 cm: the error of a sum of four
+// products is a few times 64 * 2^-24 = 4e-6 cm.
 constexpr float kRounding = 2e-5f;
 
 TEST(Renderman, EveryChunkIsInsideItsBound) {
@@ -188,7 +188,7 @@ TEST(Renderman, MotionBlocksHaveTheirTimesAndTheInterfacesPoints) {
         for (std::size_t t = 0; t < 3; ++t) {
             EXPECT_EQ(abi_points(chunks[c].curves[t], false), abi.positions[t]);
         }
-        EXPECT_TRUE(abi.positions[0] != abi.positions[2]) << "it does not move";
+        EXPECT_TRUE(abi.positions[0] != abi.positions[2]) << "static";
     }
 }
 
@@ -203,7 +203,7 @@ TEST(Renderman, OneTimeNeedsNoMotionBlock) {
     }
 }
 
-TEST(Renderman, TheGroomsOwnParametersAreLaidOverItsFile) {
+TEST(Renderman, ParametersOverrideTheGroomsFile) {
     const MadeGroom made;
     RibHost host(kDso);
     std::size_t strands = 0;
@@ -235,7 +235,7 @@ Amount amount_of(const std::vector<RibChunk>& chunks) {
     return out;
 }
 
-TEST(Renderman, GrowsFewerAndWiderStrandsWhereTheDetailIsSmall) {
+TEST(Renderman, GrowsFewerAndWiderStrandsAtSmallDetail) {
     const MadeGroom made;
     const std::string level = "strands_per_pixel=0.5 min_density=0.05";
     RibHost host(kDso);
@@ -245,15 +245,15 @@ TEST(Renderman, GrowsFewerAndWiderStrandsWhereTheDetailIsSmall) {
     const auto middle = read_rib(host.rib_of(parameters_of(made, level), 64));
     const auto far = read_rib(host.rib_of(parameters_of(made, level), 0));
     ASSERT_EQ(host.errors, "");
-    EXPECT_EQ(amount_of(unknown).strands, 300u);  // RI_INFINITY: all
-    EXPECT_EQ(amount_of(near).strands, 300u);     // 50000 a chunk would do
-    // 0.5 * 64 strands of each chunk of at most 64.
+    EXPECT_EQ(amount_of(unknown).strands, 300u);  // RI_INFINITY: all strands
+    EXPECT_EQ(amount_of(near).strands, 300u);     // up to 50000 per chunk
+    // 0.5 * 64 strands per chunk of at most 64.
     EXPECT_LT(amount_of(middle).strands, 250u);
     EXPECT_GT(amount_of(middle).strands, 100u);
     EXPECT_LT(amount_of(far).strands, amount_of(middle).strands);
     EXPECT_GT(amount_of(middle).widest, amount_of(all).widest);
     EXPECT_GT(amount_of(far).widest, amount_of(middle).widest);
-    // Bounds are given before the detail is known, and hold nonetheless.
+    // Bounds are given before the detail is known, and hold at any detail.
     for (const auto& chunks : {unknown, near, middle, far}) {
         for (const RibChunk& chunk : chunks) EXPECT_LE(outside(chunk), kRounding);
     }

@@ -11,7 +11,7 @@
 namespace lancret {
 namespace {
 
-/// What the calling thread works for, as a renderer's context.
+/// The host and RIB of the calling thread, like the context of a renderer.
 thread_local RibHost* host = nullptr;
 thread_local std::string* rib = nullptr;
 
@@ -23,7 +23,7 @@ struct Working {
     ~Working() { host = nullptr, rib = nullptr; }
 };
 
-/// All digits that it takes to read the same float back.
+/// With enough digits to read back the same float.
 void write_number(float value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.9g ", double(value));
@@ -40,8 +40,8 @@ void write_array(const T* values, std::size_t n) {
 
 void write_string(const std::string& text) { *rib += '"' + text + "\" "; }
 
-/// How many values a token of RiCurves has, and whether they are floats: the rules of the
-/// interface, without the adapter's help.
+/// Number and type of the values of a token of RiCurves, by the rules of the RenderMan
+/// Interface, independent of the adapter.
 struct Values {
     std::size_t count = 0;
     bool integers = false;
@@ -58,9 +58,9 @@ Values values_of(const std::string& token, const CurveCounts& counts) {
     std::string storage, type, name;
     words >> storage >> type >> name;
     std::size_t each = 1;
-    if (const auto at = type.find('['); at != type.npos) {
-        each = std::size_t(std::stoi(type.substr(at + 1)));
-        type = type.substr(0, at);
+    if (const auto bracket = type.find('['); bracket != type.npos) {
+        each = std::size_t(std::stoi(type.substr(bracket + 1)));
+        type = type.substr(0, bracket);
     }
     if (type == "point" || type == "normal" || type == "vector") each *= 3;
     const std::size_t elements = storage == "uniform"   ? counts.curves
@@ -74,7 +74,7 @@ Values values_of(const std::string& token, const CurveCounts& counts) {
     return {each * elements, type == "integer"};
 }
 
-/// Vertices from one segment to the next, as RiBasis set it.
+/// Vertices per segment, as set by RiBasis.
 thread_local int basis_step = 1;
 
 }  // namespace
@@ -103,16 +103,16 @@ RtPointer RibHost::convert(const std::string& parameters) {
     std::string unused, text = parameters;
     const Working working(this, &unused);
     const RtPointer out = convert_parameters(text.data());
-    std::ranges::fill(text, '#');  // the renderer may take its string back
+    std::ranges::fill(text, '#');  // the renderer may reuse its string
     if (out) roots_.push_back(out);
     return out;
 }
 
 void RibHost::subdivide_root(RtPointer root, float detail) {
-    std::string made;
-    const Working working(this, &made);
+    std::string emitted;
+    const Working working(this, &emitted);
     subdivide_function(root, detail);
-    EXPECT_EQ(made, "") << "a groom makes procedurals and nothing else";
+    EXPECT_EQ(emitted, "") << "a root emits procedurals only";
 }
 
 void RibHost::free_root(RtPointer root) {
@@ -150,7 +150,7 @@ std::string RibHost::rib_of(const std::string& parameters, float detail) {
 
 }  // namespace lancret
 
-// ---- what a renderer gives a DSO ----------------------------------------------------
+// The calls that a renderer provides to a DSO.
 
 using namespace lancret;
 
@@ -193,7 +193,7 @@ void RiCurvesV(RtToken type, RtInt curves, RtInt vertices[], RtToken wrap, RtInt
         counts.vertices += std::size_t(vertices[i]);
         counts.varying +=
             std::size_t(cubic ? (vertices[i] - 4) / basis_step + 2 : vertices[i]);
-        // A curve ends with a segment, or the renderer refuses it.
+        // A renderer rejects a curve whose last segment is incomplete.
         EXPECT_EQ(cubic ? (vertices[i] - 4) % basis_step : 0, 0);
         EXPECT_GE(vertices[i], cubic ? 4 : 2);
     }
@@ -215,10 +215,10 @@ void RiCurvesV(RtToken type, RtInt curves, RtInt vertices[], RtToken wrap, RtInt
 
 void RiProcedural(RtPointer data, RtBound bound, RtProcSubdivFunc subdivide,
                   RtProcFreeFunc release) {
-    Procedural made{data, {}, subdivide, release};
-    std::copy(bound, bound + 6, made.bound.begin());
+    Procedural child{data, {}, subdivide, release};
+    std::copy(bound, bound + 6, child.bound.begin());
     const std::lock_guard lock(host->mutex);
-    host->children.push_back(made);
+    host->children.push_back(child);
 }
 
 void RiErrorPrint(RtInt, RtInt severity, const char* message) {

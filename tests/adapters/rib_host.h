@@ -1,7 +1,7 @@
 #pragma once
-// Plays RenderMan: loads a DynamicLoad DSO, keeps its procedurals until they are reached,
-// and writes what they make as RIB. The Ri calls that the DSO needs are in rib_host.cpp;
-// each goes to the host that the calling thread works for.
+// Stands in for RenderMan: loads a DynamicLoad DSO, keeps its procedurals until they are
+// subdivided, and writes what they emit as RIB. The Ri calls are in rib_host.cpp; each
+// goes to the host of the calling thread.
 
 #include <array>
 #include <mutex>
@@ -12,7 +12,7 @@
 
 namespace lancret {
 
-/// A procedural that the DSO made.
+/// A procedural emitted by the DSO.
 struct Procedural {
     RtPointer data;
     std::array<float, 6> bound;  ///< minimum and maximum x, then y, then z
@@ -22,35 +22,34 @@ struct Procedural {
 
 class RibHost {
   public:
-    /// Fails the test where `dso` does not load.
+    /// Fails the test if `dso` does not load.
     explicit RibHost(const std::string& dso);
-    /// Frees what was not freed and unloads the DSO.
+    /// Frees all procedurals and unloads the DSO.
     ~RibHost();
     RibHost(const RibHost&) = delete;
     RibHost& operator=(const RibHost&) = delete;
 
-    /// Procedural "DynamicLoad" ["dso" "parameters"]; null where the DSO refuses.
+    /// Procedural "DynamicLoad" ["dso" "parameters"]; null if the DSO refuses.
     RtPointer convert(const std::string& parameters);
-    /// Reaches a procedural of convert's: its children are added to `children`.
+    /// Subdivides a procedural of `convert`; its children are added to `children`.
     void subdivide_root(RtPointer root, float detail = 1e38f);
     void free_root(RtPointer root);
-    /// What a child makes when it is reached, in AttributeBegin, Bound, ... AttributeEnd.
-    /// From any thread.
+    /// RIB of a child: AttributeBegin, Bound, what it emits, AttributeEnd. Thread-safe.
     std::string subdivide(const Procedural& child, float detail = 1e38f);
     void free_children();
 
-    /// One groom from its string to RIB, each procedural reached once and freed.
+    /// RIB of a groom, each of whose procedurals is subdivided once and freed.
     std::string rib_of(const std::string& parameters, float detail = 1e38f);
 
     std::vector<Procedural> children;
-    std::string errors;  ///< what RiErrorPrint was given, a line each
+    std::string errors;  ///< texts of RiErrorPrint, one per line
 
     /// The functions of the DSO.
     RtPointer (*convert_parameters)(char*) = nullptr;
     void (*subdivide_function)(RtPointer, RtFloat) = nullptr;
     void (*free_function)(RtPointer) = nullptr;
 
-    std::mutex mutex;  ///< over `children` and `errors`
+    std::mutex mutex;  ///< guards `children` and `errors`
 
   private:
     void* library_ = nullptr;

@@ -8,7 +8,7 @@
 namespace lancret {
 namespace {
 
-/// A request's argument.
+/// An argument of a request.
 struct Argument {
     std::string text;
     std::vector<float> numbers;
@@ -31,7 +31,7 @@ class Reader {
         if (*at_ == '\0') return false;
         out = {};
         while (std::isalpha(static_cast<unsigned char>(*at_))) out.name += *at_++;
-        if (out.name.empty()) fail(std::string("a request was expected at ") + at_);
+        if (out.name.empty()) fail(std::string("expected a request at ") + at_);
         for (space(); *at_ && !std::isalpha(static_cast<unsigned char>(*at_)); space()) {
             out.arguments.push_back(argument());
         }
@@ -54,7 +54,7 @@ class Reader {
     float number() {
         char* end = nullptr;
         const float out = std::strtof(at_, &end);
-        if (end == at_) fail(std::string("a number was expected at ") + at_);
+        if (end == at_) fail(std::string("expected a number at ") + at_);
         at_ = end;
         return out;
     }
@@ -64,7 +64,7 @@ class Reader {
         if (*at_ == '"') {
             out.is_text = true;
             for (++at_; *at_ != '"'; ++at_) {
-                if (!*at_) fail("a string does not end");
+                if (!*at_) fail("unterminated string");
                 out.text += *at_;
             }
             ++at_;
@@ -81,13 +81,13 @@ class Reader {
 
 RibCurves curves_of(const Request& request) {
     const auto& a = request.arguments;
-    if (a.size() < 3 || a.size() % 2 == 0) fail("Curves: a wrong number of arguments");
+    if (a.size() < 3 || a.size() % 2 == 0) fail("Curves: wrong number of arguments");
     RibCurves out;
     out.type = a[0].text;
     out.counts.assign(a[1].numbers.begin(), a[1].numbers.end());
     out.wrap = a[2].text;
     for (std::size_t i = 3; i < a.size(); i += 2) {
-        if (!a[i].is_text || a[i + 1].is_text) fail("Curves: a name and values");
+        if (!a[i].is_text || a[i + 1].is_text) fail("Curves: expected names and values");
         out.values[a[i].text] = a[i + 1].numbers;
     }
     return out;
@@ -112,7 +112,7 @@ void take(const Request& request, RibChunk& chunk, bool& in_motion) {
         if (!in_motion && !chunk.curves.empty()) fail("Curves twice");
         chunk.curves.push_back(curves_of(request));
     } else {
-        fail("an unknown request, " + name);
+        fail("unknown request " + name);
     }
 }
 
@@ -138,7 +138,7 @@ std::vector<RibChunk> read_rib(const std::string& text) {
             take(request, out.back(), in_motion);
         }
     }
-    if (depth != 0 || in_motion) fail("a block does not end");
+    if (depth != 0 || in_motion) fail("unterminated block");
     return out;
 }
 
@@ -155,13 +155,13 @@ std::vector<std::array<float, 4>> places_on(const RibChunk& chunk,
     std::size_t first = 0;
     const bool cubic = !chunk.basis.empty();
     for (const int count : curves.counts) {
-        const int reach = cubic ? 4 : 2;
-        for (int j = 0; j + reach <= count; j += chunk.step) {
+        const int window = cubic ? 4 : 2;
+        for (int j = 0; j + window <= count; j += chunk.step) {
             for (int i = 0; i <= steps; ++i) {
                 const float t = float(i) / float(steps);
                 const float powers[4] = {t * t * t, t * t, t, 1};
                 std::array<float, 4> place{};
-                for (int k = 0; k < reach; ++k) {
+                for (int k = 0; k < window; ++k) {
                     float weight = k == 0 ? 1 - t : t;
                     if (cubic) {
                         weight = 0;
