@@ -15,7 +15,7 @@ inline const PlacedGuides& made_guides() {
         GroomSettings groom;
         groom.name = "made groom";
         groom.fit.segments = 24;
-        return groom_guides(groom);
+        return place_guides(groom);
     }();
     return guides;
 }
@@ -23,7 +23,7 @@ inline const PlacedGuides& made_guides() {
 inline Roots made_roots(std::uint32_t children) {
     const PlacedGuides& guides = made_guides();
     return roots_at(&*guides.scalp, {.on_scalp = places_on_scalp(
-                                         *guides.scalp, guides.grown_roots, children, 0,
+                                         *guides.scalp, guides.grown.roots, children, 0,
                                          std::numeric_limits<double>::infinity()),
                                      .on_strands = {}});
 }

@@ -15,9 +15,9 @@
 #include "procedural/expand/class_choice.h"
 #include "procedural/motion/moving_groom.h"
 #include "tools/frames.h"
-#include "tools/generate.h"
 #include "tools/job.h"
 #include "tools/options.h"
+#include "tools/prepare_groom.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
 
@@ -90,7 +90,7 @@ FramesReport check_frames(const CheckOptions& options, const Job& job,
                             std::max(cost.adapted.beyond, now.beyond)};
         }
         GuideCheck guides =
-            check_guides(state.guides, ready.source.guides, state.scalp_roots);
+            check_guides(state.guides, ready.placed.guides, state.scalp_roots);
         // Without a rest pose the guides may be anybody's, and are put on the scalp when
         // they are read.
         guides.root_applies = chosen.info.has_rest;
@@ -115,7 +115,7 @@ int check_groom(const CheckOptions& options) {
     check_output(options.json, {}, job.inputs);
     check_output(options.groom.stats, {}, job.inputs, options.json);
     const ChosenFrames chosen = chosen_frames(options.frames, job, true);
-    ReadyGroom ready = make_ready_groom_with_progress(job.groom);
+    ReadyGroom ready = prepare_groom(job.groom);
     FramesCost cost;
     const FramesReport report = check_frames(options, job, chosen, ready, cost);
     const bool cached = !chosen.cache.empty();

@@ -137,9 +137,9 @@ DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene,
 }
 
 SimulationScene simulation_scene(const DynamicsSettings& settings,
-                                 const PlacedGuides& source, const SceneUnits& scene,
+                                 const PlacedGuides& placed, const SceneUnits& scene,
                                  double frames_per_second) {
-    const TriangleMesh* rest = source.scalp ? &source.scalp->mesh : nullptr;
+    const TriangleMesh* rest = placed.scalp ? &placed.scalp->mesh : nullptr;
     const auto head = std::make_shared<const ScalpMotion>(
         scalp_motion(settings.motion, rest, frames_per_second));
     SimulationScene out{scalp_motion(settings.motion, rest, frames_per_second),
@@ -149,7 +149,7 @@ SimulationScene simulation_scene(const DynamicsSettings& settings,
                         {}};
     const bool deforms = !settings.motion.files.pattern.empty();
     std::vector<MovingBody> bodies;
-    const TriangleMesh* body = source.body && !deforms ? &*source.body : rest;
+    const TriangleMesh* body = placed.body && !deforms ? &*placed.body : rest;
     if (settings.collide_with_head && body) {
         bodies.push_back({out.colliders.add(*body), head, deforms});
     }
@@ -182,8 +182,8 @@ SimulationScene simulation_scene(const DynamicsSettings& settings,
     };
     std::optional<ClosestPoint> closest;
     if (rest) closest.emplace(*rest);
-    for (std::size_t g = 0; g < source.guides.size(); ++g) {
-        RestRoot root{source.guides.root(g), {}};
+    for (std::size_t g = 0; g < placed.guides.size(); ++g) {
+        RestRoot root{placed.guides.root(g), {}};
         if (closest) root.point = closest->closest(root.pose.position).point;
         out.roots.push_back(root);
     }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "guides/toml/table.h"
-#include "procedural/groom/groom_guides.h"
 #include "procedural/groom/motion_settings.h"
+#include "procedural/groom/placed_guides.h"
 #include "sim/simulation.h"
 
 namespace lancret {
@@ -34,7 +34,7 @@ DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene,
 
 /// What the guides of a groom move with. Throws InputError.
 SimulationScene simulation_scene(const DynamicsSettings& settings,
-                                 const PlacedGuides& source, const SceneUnits& scene,
+                                 const PlacedGuides& placed, const SceneUnits& scene,
                                  double frames_per_second);
 
 }  // namespace lancret

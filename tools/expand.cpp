@@ -15,9 +15,9 @@
 #include "procedural/motion/moving_groom.h"
 #include "tools/expand_chunks.h"
 #include "tools/frames.h"
-#include "tools/generate.h"
 #include "tools/job.h"
 #include "tools/options.h"
+#include "tools/prepare_groom.h"
 #include "tools/stats.h"
 
 namespace lancret {
@@ -52,7 +52,7 @@ int expand_groom(const ExpandOptions& options) {
         job.groom.adapt = false;
     }
     const ChosenFrames chosen = chosen_frames(options.frame, job, false);
-    ReadyGroom ready = make_ready_groom_with_progress(job.groom);
+    ReadyGroom ready = prepare_groom(job.groom);
     const RestPlaces rest = prepare_frames(ready, chosen);
     const ClassedGuides guides =
         go_to_frame(ready, rest, chosen, chosen.frames[0]).classed;

@@ -8,7 +8,7 @@
 #include "procedural/bind/report.h"
 #include "procedural/chunk/chunked_groom.h"
 #include "procedural/motion/moving_groom.h"
-#include "tools/generate.h"
+#include "tools/prepare_groom.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
 
@@ -30,8 +30,8 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
                       const std::string& stats_file) {
     const ChosenFrames chosen = chosen_frames(frame, job, false);
     StageLine line;
-    ChunkedGroom groom =
-        make_chunked_groom(job.groom, most, [&](const char* stage) { line.show(stage); });
+    ChunkedGroom groom = make_chunked_groom(
+        job.groom, most, [&](GroomStage stage) { line.show(stage_name(stage)); });
     line.clear();
     log_warnings(groom.ready);
     const RestPlaces rest = prepare_frames(groom.ready, chosen);
@@ -45,7 +45,7 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
         Stopwatch watch;
         Binding binding = bind_chunk(groom, c);
         if (moved) {
-            pose_binding(binding, rest_places(binding, groom.ready.source), state.pose);
+            pose_binding(binding, rest_places(binding, groom.ready.placed), state.pose);
         }
         out.report += binding.report;
         out.bind += watch.lap();

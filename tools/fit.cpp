@@ -9,9 +9,9 @@
 
 #include "guides/base/errors.h"
 #include "guides/files/guide_cache.h"
-#include "tools/generate.h"
 #include "tools/job.h"
 #include "tools/options.h"
+#include "tools/prepare_groom.h"
 #include "tools/stats.h"
 
 namespace lancret {
@@ -27,7 +27,7 @@ int fit_groom(const FitOptions& options) {
     const Job job = read_job(options.groom);
     check_output(options.output, {".h5"}, job.inputs);
     check_output(options.groom.stats, {}, job.inputs, options.output);
-    const PlacedGuides fitted = groom_guides(job.groom);
+    const PlacedGuides fitted = place_guides(job.groom);
     if (fitted.fits.empty()) {
         throw InputError(fmt::format("{}: holds guides already, there is nothing to fit",
                                      job.groom.name));
@@ -44,9 +44,9 @@ int fit_groom(const FitOptions& options) {
         "{} guides of {} segments from {} strands in {:.2f} s\n"
         "RMS distance over length: median {:.3f} %, 95 % {:.3f} %, max {:.3f} %\n"
         "farthest point: median {:.4f} cm, max {:.4f} cm\n",
-        fitted.guides.size(), fitted.guides.segments, fitted.groom_strands,
-        fitted.seconds.fit, rms[rms.size() / 2], rms[rms.size() * 95 / 100], rms.back(),
-        farthest[farthest.size() / 2], farthest.back());
+        fitted.guides.size(), fitted.guides.segments, fitted.report.groom_strands,
+        fitted.report.seconds.fit, rms[rms.size() / 2], rms[rms.size() * 95 / 100],
+        rms.back(), farthest[farthest.size() / 2], farthest.back());
     if (!options.output.empty()) {
         GuideCacheHeader header;
         header.groom = std::filesystem::absolute(options.groom.input).string();

@@ -14,7 +14,7 @@ bool on_terminal() {
 
 }  // namespace
 
-void StageLine::show(const std::string& stage) {
+void StageLine::show(std::string_view stage) {
     if (!on_terminal()) return;
     fmt::print(stderr, "\r\033[K{} ...", stage);
     std::fflush(stderr);

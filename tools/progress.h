@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace lancret {
 
@@ -12,7 +13,7 @@ namespace lancret {
 class StageLine {
   public:
     ~StageLine() { clear(); }
-    void show(const std::string& stage);
+    void show(std::string_view stage);
     void clear();
 
   private:

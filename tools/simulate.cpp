@@ -60,16 +60,16 @@ class Fingerprint {
 
 /// Everything that determines the frames of a run, as a text.
 std::string job_text(const SimulateOptions& options, const Job& job,
-                     const PlacedGuides& source, int first) {
+                     const PlacedGuides& placed, int first) {
     Fingerprint print;
-    const Guides& guides = source.guides;
+    const Guides& guides = placed.guides;
     print.add(std::span<const double>(guides.segment_lengths));
     for (const auto* vectors : {&guides.root_positions, &guides.curvatures}) {
         print.add(std::span(vectors->front().data(), 3 * vectors->size()));
     }
     print.add(std::span(guides.root_frames.front().data(), 9 * guides.size()));
-    if (source.scalp) print.add(source.scalp->mesh);
-    if (source.body) print.add(*source.body);
+    if (placed.scalp) print.add(placed.scalp->mesh);
+    if (placed.body) print.add(*placed.body);
     for (const ColliderSettings& collider : job.dynamics.colliders) {
         const auto* file = std::get_if<std::filesystem::path>(&collider.shape);
         if (file) print.add(read_obj(*file));
@@ -99,7 +99,7 @@ std::string job_text(const SimulateOptions& options, const Job& job,
 struct PreparedJob {
     Job job;
     int first = 0, last = 0;  ///< frame numbers
-    PlacedGuides source;
+    PlacedGuides placed;
 };
 
 PreparedJob prepare(const SimulateOptions& options) {
@@ -115,9 +115,10 @@ PreparedJob prepare(const SimulateOptions& options) {
     if (options.substeps) out.job.dynamics.simulation.substeps = *options.substeps;
 
     StageLine line;
-    out.source = groom_guides(groom, [&](const char* stage) { line.show(stage); });
+    out.placed =
+        place_guides(groom, [&](GroomStage stage) { line.show(stage_name(stage)); });
     line.clear();
-    for (const std::string& warning : out.source.warnings) {
+    for (const std::string& warning : out.placed.report.warnings) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }
     return out;
@@ -186,10 +187,10 @@ nlohmann::json stats_of(const PreparedJob& prepared, const FramesReport& run) {
     stats["frames"] = {{"first", prepared.first},
                        {"last", std::max(prepared.last, run.begun)},
                        {"simulated", frames}};
-    stats["guides"] = prepared.source.guides.size();
-    stats["segments"] = prepared.source.guides.segments;
-    stats["seconds"] = {{"load", prepared.source.seconds.load},
-                        {"fit", prepared.source.seconds.fit},
+    stats["guides"] = prepared.placed.guides.size();
+    stats["segments"] = prepared.placed.guides.segments;
+    stats["seconds"] = {{"load", prepared.placed.report.seconds.load},
+                        {"fit", prepared.placed.report.seconds.fit},
                         {"simulate", run.seconds}};
     stats["steps"] = run.total.steps;
     stats["iterations"] = run.total.iterations;
@@ -214,7 +215,7 @@ void print_summary(const std::string& output, const PreparedJob& prepared,
     fmt::print(
         "{}: {} guides of {} segments, frames {}-{}; {} simulated in {:.2f} s{}; deepest "
         "penetration {:.4f} cm{}\n",
-        output, prepared.source.guides.size(), prepared.source.guides.segments,
+        output, prepared.placed.guides.size(), prepared.placed.guides.segments,
         prepared.first, std::max(prepared.last, run.begun),
         std::max(prepared.last - run.begun, 0), run.seconds,
         total.steps ? fmt::format(" ({:.1f} us per step of one guide, all threads)",
@@ -227,14 +228,14 @@ int simulate_groom(const SimulateOptions& options) {
     const PreparedJob prepared = prepare(options);
     const Job& job = prepared.job;
     const DynamicsSettings& dynamics = job.dynamics;
-    const Guides& guides = prepared.source.guides;
+    const Guides& guides = prepared.placed.guides;
     Simulation simulation(
         guides, dynamics.simulation,
-        simulation_scene(dynamics, prepared.source, job.groom.scene, options.fps),
+        simulation_scene(dynamics, prepared.placed, job.groom.scene, options.fps),
         prepared.first);
     const std::size_t falling = count_falling(simulation, dynamics.simulation);
     FrameStore store(options.output, cache_header(options, prepared),
-                     job_text(options, job, prepared.source, prepared.first), guides,
+                     job_text(options, job, prepared.placed, prepared.first), guides,
                      options.restart);
     if (falling > 0) {
         fmt::print(stderr,

@@ -47,7 +47,7 @@ struct MovingCache {
         GroomSource source;
         source.path = toml;
         const SourcedGroom sourced = read_groom_source(source);
-        Guides guides = groom_guides(sourced.groom).guides;
+        Guides guides = place_guides(sourced.groom).guides;
         const Guides rest = guides;
         GuideCacheWriter writer(cache, {24, 1, toml.string()}, 2, &rest);
         writer.add(rest);
@@ -84,13 +84,13 @@ void direct(benchmark::State& run, const MovingCache* moving) {
     std::vector<PosedScalp> scalps;
     if (moving) {
         Binding guides_only;
-        guides_only.guide_normals = ready.source.normals;
-        const RestPlaces rest = rest_places(guides_only, ready.source);
+        guides_only.guide_normals = ready.placed.normals;
+        const RestPlaces rest = rest_places(guides_only, ready.placed);
         prepare_frames(ready, times);
         for (const double time : kTimes[1]) {
             scalps.push_back(posed_scalp(rest, times.pose_at(time)));
             pose_binding_on(guides_only, rest, scalps.back());
-            guides.push_back(classed_guides(guides_at(times, ready.source.places, time),
+            guides.push_back(classed_guides(guides_at(times, ready.placed.places, time),
                                             ready.classes, guides_only.guide_normals,
                                             ready.groom.expand.blend));
         }
@@ -102,7 +102,7 @@ void direct(benchmark::State& run, const MovingCache* moving) {
         for (std::size_t c = 0; c < groom.chunks.size(); ++c) {
             Binding binding = bind_chunk(groom, c, 1, ready.classes);
             const RestPlaces rest =
-                moving ? rest_places(binding, ready.source) : RestPlaces();
+                moving ? rest_places(binding, ready.placed) : RestPlaces();
             for (std::size_t t = 0; t < guides.size(); ++t) {
                 if (moving) pose_binding_on(binding, rest, scalps[t]);
                 expand(binding, guides[t], ready.groom.expand, curves[t]);

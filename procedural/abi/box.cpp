@@ -17,8 +17,8 @@ ChunkBox reach_of_roots(const OpenGroom& groom, std::uint32_t index,
     const ChunkedGroom& chunked = groom.chunked();
     ChunkBinding roots{request, {}, {}};
     roots.binding.roots =
-        child_roots(ready.source, chunked.places, chunked.chunks.of(index));
-    roots.binding.guide_normals = ready.source.normals;
+        child_roots(ready.placed, chunked.places, chunked.chunks.of(index));
+    roots.binding.guide_normals = ready.placed.normals;
     Eigen::AlignedBox3f box;
     PosedBinding posed(groom, roots);
     for (const double frame : request.frames) {

@@ -57,14 +57,14 @@ lancret_curves sizes_of(const ChunkBinding& chunk) {
 PosedBinding::PosedBinding(const OpenGroom& groom, const ChunkBinding& chunk)
     : still_(chunk.binding) {
     if (!groom.times().moves()) return;
-    rest_ = rest_places(chunk.binding, groom.ready().source);
+    rest_ = rest_places(chunk.binding, groom.ready().placed);
     moved_ = &copy_.emplace(chunk.binding);
 }
 
 PosedBinding::PosedBinding(const OpenGroom& groom, ChunkBinding&& chunk)
     : still_(chunk.binding) {
     if (!groom.times().moves()) return;
-    rest_ = rest_places(chunk.binding, groom.ready().source);
+    rest_ = rest_places(chunk.binding, groom.ready().placed);
     moved_ = &chunk.binding;
 }
 

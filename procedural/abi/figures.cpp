@@ -12,12 +12,12 @@ namespace lancret::abi {
 namespace {
 
 std::vector<float> region_values(const OpenGroom& groom, const ChunkBinding& chunk) {
-    const PlacedGuides& source = groom.ready().source;
-    if (!source.regions.map && source.regions.strands.empty()) {
+    const PlacedGuides& placed = groom.ready().placed;
+    if (!placed.grown.regions.map && placed.grown.regions.strands.empty()) {
         throw InputError(groom.ready().groom.name + ": has no regions");
     }
     const std::vector<std::uint32_t> regions =
-        child_regions(source.regions, source.grown_roots, chunk.binding.roots);
+        child_regions(placed.grown.regions, placed.grown.roots, chunk.binding.roots);
     return {regions.begin(), regions.end()};
 }
 

@@ -24,8 +24,8 @@ lancret_groom_info info_of(const OpenGroom& groom) {
     lancret_groom_info out{};
     out.chunks = lancret_u32(groom.chunked().chunks.size());
     out.strands = lancret_u32(groom.chunked().places.size());
-    out.guides = lancret_u32(ready.source.guides.size());
-    out.segments = lancret_u32(ready.source.guides.segments);
+    out.guides = lancret_u32(ready.placed.guides.size());
+    out.segments = lancret_u32(ready.placed.guides.segments);
     out.intervals = lancret_u32(ready.profiles.count);
     out.neighbours = lancret_u32(ready.binding.neighbours);
     if (groom.times().moves()) {
@@ -51,16 +51,16 @@ lancret_groom_info info_of(const OpenGroom& groom) {
 }
 
 std::string description_of(const ReadyGroom& ready) {
-    nlohmann::json out = fit_json(ready.source);
+    nlohmann::json out = fit_json(ready.placed);
     out["blend"] = blend_name(ready.groom.expand.blend);
     return out.dump();
 }
 
 /// Empty if the groom has no head.
 TriangleMesh head_at(const OpenGroom& groom, double time) {
-    const PlacedGuides& source = groom.ready().source;
-    if (!source.body && !source.scalp) return {};
-    const TriangleMesh& rest = source.body ? *source.body : source.scalp->mesh;
+    const PlacedGuides& placed = groom.ready().placed;
+    if (!placed.body && !placed.scalp) return {};
+    const TriangleMesh& rest = placed.body ? *placed.body : placed.scalp->mesh;
     const GroomTimes& times = groom.times();
     const bool on_head = times.moves() && times.pose_at;
     return posed_mesh(
@@ -85,7 +85,7 @@ lancret_mesh view_of(const TriangleMesh& mesh) {
 /// Points to the arrays of `groom`.
 lancret_guides guides_of(const OpenGroom& groom) {
     static_assert(sizeof(Vec3) == 3 * sizeof(double));
-    const Guides& guides = groom.ready().source.guides;
+    const Guides& guides = groom.ready().placed.guides;
     const GuideArrays& arrays = groom.guide_arrays();
     lancret_guides out{};
     out.guides = lancret_u32(guides.size());
@@ -154,6 +154,6 @@ lancret_status lancret_groom_is_still(const lancret_groom* groom, const double* 
             require(std::isfinite(times[i]), "a time is not finite");
             frames.push_back(shared.frame_at(times[i]));
         }
-        *still = is_still(shared.times(), shared.ready().source.places, frames);
+        *still = is_still(shared.times(), shared.ready().placed.places, frames);
     });
 }

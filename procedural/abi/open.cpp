@@ -20,10 +20,10 @@ std::shared_ptr<const OpenGroom> open_groom(lancret_context& context,
         log(context, LANCRET_LOG_WARNING, text);
     };
     const auto make = [&] {
-        const auto stage = [&](const char* name) {
+        const auto stage = [&](GroomStage next) {
             stop_if_cancelled();
             log(context, LANCRET_LOG_INFO,
-                fmt::format("{}: {}", sourced.groom.name, name));
+                fmt::format("{}: {}", sourced.groom.name, stage_name(next)));
         };
         auto out =
             std::make_shared<const OpenGroom>(sourced, source.chunk_strands, stage, warn);
@@ -32,7 +32,7 @@ std::shared_ptr<const OpenGroom> open_groom(lancret_context& context,
     };
     const auto key = key_of(source, sourced);
     auto out = key ? context.grooms.get(*key, make) : make();
-    for (const std::string& warning : warning_lines(out->ready().source)) warn(warning);
+    for (const std::string& warning : warning_lines(out->ready().placed)) warn(warning);
     return out;
 }
 

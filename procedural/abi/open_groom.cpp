@@ -20,13 +20,13 @@ OpenGroom::OpenGroom(const SourcedGroom& sourced, std::uint32_t chunk_strands,
     chunked_.ready.groom.own_strands.reset();
     chunked_.ready.groom.own_scalp.reset();
     expect_same_cache();
-    const PlacedGuides& source = ready().source;
-    for (const Mat3& frame : source.guides.root_frames) {
+    const PlacedGuides& placed = ready().placed;
+    for (const Mat3& frame : placed.guides.root_frames) {
         for (int r = 0; r < 3; ++r) {
             for (int c = 0; c < 3; ++c) arrays_.root_frames.push_back(frame(r, c));
         }
     }
-    for (const FitReport& fit : source.fits) arrays_.fit_rms.push_back(fit.rms);
+    for (const FitReport& fit : placed.fits) arrays_.fit_rms.push_back(fit.rms);
 }
 
 void OpenGroom::expect_same_cache() const {
@@ -43,17 +43,17 @@ std::shared_ptr<const GuidePose> OpenGroom::pose(
     double frame, const std::shared_ptr<const StrandClasses>& classes) const {
     return poses_.get({frame, classes.get()}, [&] {
         expect_same_cache();
-        const PlacedGuides& source = ready().source;
+        const PlacedGuides& placed = ready().placed;
         const bool moves = times_.moves();
         auto out = std::make_shared<GuidePose>();
         out->classes = classes;
         out->guides =
-            moves ? guides_at(times_, source.places, frame) : ready().source.guides;
+            moves ? guides_at(times_, placed.places, frame) : ready().placed.guides;
         expect_same_cache();
         // Guides only, no children.
         Binding guides_only;
-        guides_only.guide_normals = source.normals;
-        const RestPlaces rest = rest_places(guides_only, source);
+        guides_only.guide_normals = placed.normals;
+        const RestPlaces rest = rest_places(guides_only, placed);
         const bool on_head = moves && times_.pose_at;
         out->scalp =
             posed_scalp(rest, on_head ? times_.pose_at(frame) : ScalpPose(RigidPose{}));
@@ -93,14 +93,14 @@ std::shared_ptr<const StrandClasses> OpenGroom::classes(CurveBasis basis, float 
 }
 
 std::size_t OpenGroom::bytes() const {
-    const PlacedGuides& source = ready().source;
+    const PlacedGuides& placed = ready().placed;
     const auto of = [](const auto& v) { return v.size() * sizeof(v[0]); };
     std::size_t out = chunked_.bytes() + ready().binding.bytes() +
                       ready().sample.bytes() + of(arrays_.root_frames) +
                       of(arrays_.fit_rms);
-    out += of(source.guides.root_positions) + of(source.guides.root_frames) +
-           of(source.guides.segment_lengths) + of(source.guides.curvatures);
-    out += of(source.grown_roots) + of(source.grown_tangents) + of(source.normals);
+    out += of(placed.guides.root_positions) + of(placed.guides.root_frames) +
+           of(placed.guides.segment_lengths) + of(placed.guides.curvatures);
+    out += of(placed.grown.roots) + of(placed.grown.tangents) + of(placed.normals);
     const GuideProfiles<float>& profiles = ready().profiles;
     out += of(profiles.intervals) + of(profiles.joints) + of(profiles.root_frames) +
            of(profiles.lengths) + of(profiles.positions) + of(profiles.frames) +
@@ -109,11 +109,11 @@ std::size_t OpenGroom::bytes() const {
     const auto of_mesh = [&](const TriangleMesh& mesh) {
         return of(mesh.positions) + of(mesh.triangles) + of(mesh.uvs);
     };
-    if (source.scalp) {
-        out += of_mesh(source.scalp->mesh) + of(source.scalp->normals) +
-               of(source.scalp->areas);
+    if (placed.scalp) {
+        out += of_mesh(placed.scalp->mesh) + of(placed.scalp->normals) +
+               of(placed.scalp->areas);
     }
-    if (source.body) out += of_mesh(*source.body);
+    if (placed.body) out += of_mesh(*placed.body);
     return out;
 }
 

@@ -12,15 +12,15 @@ ChunkedGroom make_chunked_groom(const GroomSettings& groom, std::uint32_t most,
     ChunkedGroom out;
     ReadyGroom& ready = out.ready;
     ready.groom = groom;
-    ready.source = groom_guides(groom, stage);
-    ready.seconds = ready.source.seconds;
-    if (stage) stage("cut into chunks");
+    ready.placed = place_guides(groom, stage);
+    ready.seconds = ready.placed.report.seconds;
+    if (stage) stage(GroomStage::cut);
     Stopwatch watch;
-    out.places = child_places(groom, ready.source);
-    ready.sample = sample_of_children(groom, ready.source, out.places);
-    const int finest = child_intervals(groom, ready.source, ready.sample);
-    ready.profiles = guide_profiles<float>(ready.source.guides, finest);
-    ready.classes = child_classes(groom, ready.source, ready.sample, finest);
+    out.places = child_places(groom, ready.placed);
+    ready.sample = sample_of_children(groom, ready.placed, out.places);
+    const int finest = child_intervals(groom, ready.placed, ready.sample);
+    ready.profiles = guide_profiles<float>(ready.placed.guides, finest);
+    ready.classes = child_classes(groom, ready.placed, ready.sample, finest);
     ready.binding = in_class_order(ready.sample, ready.classes);
     out.chunks = make_chunks(
         out.places.size(), [&](std::uint32_t i) { return place_of(out, i); }, most);
@@ -29,7 +29,7 @@ ChunkedGroom make_chunked_groom(const GroomSettings& groom, std::uint32_t most,
 }
 
 Vec3f place_of(const ChunkedGroom& groom, std::uint32_t child) {
-    const auto& scalp = groom.ready.source.scalp;
+    const auto& scalp = groom.ready.placed.scalp;
     if (!scalp) return groom.places.on_strands.positions[child];
     return scalp_position(*scalp, groom.places.on_scalp[child]).cast<float>();
 }
@@ -37,10 +37,10 @@ Vec3f place_of(const ChunkedGroom& groom, std::uint32_t child) {
 Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk, double density,
                    const StrandClasses& classes) {
     const GroomSettings& own = groom.ready.groom;
-    const PlacedGuides& source = groom.ready.source;
+    const PlacedGuides& placed = groom.ready.placed;
     Binding out = bind_children(
-        own, source,
-        pruned_roots(own, source, groom.places, groom.chunks.of(chunk), density));
+        own, placed,
+        pruned_roots(own, placed, groom.places, groom.chunks.of(chunk), density));
     if (own.expand.has_faces())
         out.faces = rest_faces(out, groom.ready.profiles, own.expand.blend);
     return in_class_order(std::move(out), classes);

@@ -8,7 +8,7 @@
 
 #include "guides/made/wrapped_curl.h"
 #include "procedural/evaluate/evaluation.h"
-#include "procedural/groom/groom_guides.h"
+#include "procedural/groom/placed_guides.h"
 
 namespace lancret {
 

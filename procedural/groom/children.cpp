@@ -16,89 +16,90 @@ namespace lancret {
 
 namespace {
 
-const Scalp* scalp_of(const PlacedGuides& source) {
-    return source.scalp ? &*source.scalp : nullptr;
+const Scalp* scalp_of(const PlacedGuides& placed) {
+    return placed.scalp ? &*placed.scalp : nullptr;
 }
 
 }  // namespace
 
-RootPlaces child_places(const GroomSettings& groom, const PlacedGuides& source) {
+RootPlaces child_places(const GroomSettings& groom, const PlacedGuides& placed) {
     RootPlaces out;
     const std::uint32_t count =
-        child_count(groom, source.scalp.has_value(), source.grown_roots.size());
-    if (!source.scalp) {
-        out.on_strands = roots_of_strands(source.grown_roots, source.grown_tangents,
+        child_count(groom, placed.scalp.has_value(), placed.grown.roots.size());
+    if (!placed.scalp) {
+        out.on_strands = roots_of_strands(placed.grown.roots, placed.grown.tangents,
                                           count, groom.seed, groom.name);
         return out;
     }
     const double everywhere = std::numeric_limits<double>::infinity();
     const double growth = groom.growth_distance ? *groom.growth_distance
-                          : source.whole_scalp  ? everywhere
-                                                : growth_of_spacing(source.grown_roots);
+                          : placed.whole_scalp  ? everywhere
+                                                : growth_of_spacing(placed.grown.roots);
     try {
         out.on_scalp =
-            places_on_scalp(*source.scalp, source.grown_roots, count, groom.seed, growth);
+            places_on_scalp(*placed.scalp, placed.grown.roots, count, groom.seed, growth);
     } catch (const InputError&) {
         throw InputError(fmt::format(
             "{}: has hardly a place within {:.3g} cm of the groom's strands, where "
             "hair may grow; their roots are up to {:.3g} cm away from it. Are they in "
             "one place and one unit? [scalp] growth_distance sets the reach",
             groom.scalp_file.empty() ? "scalp" : groom.scalp_file.string(), growth,
-            source.largest_snap));
+            placed.report.largest_snap));
     }
     return out;
 }
 
-Roots child_roots(const PlacedGuides& source, const RootPlaces& places,
+Roots child_roots(const PlacedGuides& placed, const RootPlaces& places,
                   std::span<const std::uint32_t> ids) {
-    return roots_at(scalp_of(source), places, ids);
+    return roots_at(scalp_of(placed), places, ids);
 }
 
-Roots pruned_roots(const GroomSettings& groom, const PlacedGuides& source,
+Roots pruned_roots(const GroomSettings& groom, const PlacedGuides& placed,
                    const RootPlaces& places, std::span<const std::uint32_t> ids,
                    double density) {
-    if (density == 1) return child_roots(source, places, ids);
+    if (density == 1) return child_roots(placed, places, ids);
     std::vector<std::uint32_t> kept(ids.begin(), ids.end());
     std::vector<float> widths = prune(kept, groom.seed, density);
-    Roots out = child_roots(source, places, kept);
+    Roots out = child_roots(placed, places, kept);
     out.widths = std::move(widths);
     return out;
 }
 
-Binding bind_children(const GroomSettings& groom, const PlacedGuides& source,
+Binding bind_children(const GroomSettings& groom, const PlacedGuides& placed,
                       Roots roots) {
     BindBorders borders;
-    borders.guide_regions = source.guide_regions;
-    borders.child_regions = child_regions(source.regions, source.grown_roots, roots);
-    const Partings partings(source.partings);
+    borders.guide_regions = placed.guide_regions;
+    borders.child_regions =
+        child_regions(placed.grown.regions, placed.grown.roots, roots);
+    const Partings partings(placed.partings);
     if (partings.size() > 0) borders.partings = &partings;
-    return lancret::bind(std::move(roots), source.guides, *source.lookup, source.normals,
+    return lancret::bind(std::move(roots), placed.guides, *placed.lookup, placed.normals,
                          groom.bind, borders);
 }
 
-Binding sample_of_children(const GroomSettings& groom, const PlacedGuides& source,
+Binding sample_of_children(const GroomSettings& groom, const PlacedGuides& placed,
                            const RootPlaces& places) {
     std::vector<std::uint32_t> ids(std::min(places.size(), kSampledChildren));
     std::iota(ids.begin(), ids.end(), 0u);
-    return bind_children(groom, source, child_roots(source, places, ids));
+    return bind_children(groom, placed, child_roots(placed, places, ids));
 }
 
-int child_intervals(const GroomSettings& groom, const PlacedGuides& source,
+int child_intervals(const GroomSettings& groom, const PlacedGuides& placed,
                     const Binding& sample) {
     if (groom.intervals) return *groom.intervals;
     try {
-        return intervals_within(sample, source.guides, groom.expand.blend,
+        return intervals_within(sample, placed.guides, groom.expand.blend,
                                 groom.tolerance, groom.expand.basis);
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", groom.name, error.what()));
     }
 }
 
-StrandClasses child_classes(const GroomSettings& groom, const PlacedGuides& source,
+StrandClasses child_classes(const GroomSettings& groom, const PlacedGuides& placed,
                             const Binding& sample, int finest) {
     if (!groom.adapts()) return {{finest}};
-    StrandClasses all = coarsest_classes(source.guides, finest);
-    refine_classes(all, sample, source.guides, groom.tolerance, groom.expand);
+    StrandClasses all = coarsest_classes(placed.guides, finest);
+    refine_classes(all, sample, placed.guides, groom.tolerance, groom.expand);
     return used_classes(all);
 }
 

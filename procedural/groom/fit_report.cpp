@@ -8,33 +8,34 @@
 
 namespace lancret {
 
-nlohmann::json fit_json(const PlacedGuides& source) {
+nlohmann::json fit_json(const PlacedGuides& placed) {
     std::vector<double> rms;
-    for (const FitReport& fit : source.fits) rms.push_back(fit.rms / fit.length);
+    for (const FitReport& fit : placed.fits) rms.push_back(fit.rms / fit.length);
     return {
-        {"groom_strands", source.groom_strands},
-        {"guides", source.guides.size()},
-        {"segments", source.guides.segments},
+        {"groom_strands", placed.report.groom_strands},
+        {"guides", placed.guides.size()},
+        {"segments", placed.guides.segments},
         {"fit",
          {{"rms_over_length_median", quantile(rms, 0.5)},
           {"rms_over_length_p95", quantile(rms, 0.95)},
           {"rms_over_length_max", quantile(rms, 1)}}},
         {"roots",
-         {{"snapped", source.snapped_roots}, {"largest_snap_cm", source.largest_snap}}},
+         {{"snapped", placed.report.snapped_roots},
+          {"largest_snap_cm", placed.report.largest_snap}}},
     };
 }
 
-std::string roots_line(const PlacedGuides& source) {
-    if (source.snapped_roots == 0) return {};
+std::string roots_line(const PlacedGuides& placed) {
+    if (placed.report.snapped_roots == 0) return {};
     return fmt::format(
         "{} of {} guide roots were off the scalp and were put on it; the farthest moved "
         "{:.3f} cm",
-        source.snapped_roots, source.guides.size(), source.largest_snap);
+        placed.report.snapped_roots, placed.guides.size(), placed.report.largest_snap);
 }
 
-std::vector<std::string> warning_lines(const PlacedGuides& source) {
-    std::vector<std::string> out = source.warnings;
-    std::string roots = roots_line(source);
+std::vector<std::string> warning_lines(const PlacedGuides& placed) {
+    std::vector<std::string> out = placed.report.warnings;
+    std::string roots = roots_line(placed);
     if (!roots.empty()) out.push_back(std::move(roots));
     return out;
 }

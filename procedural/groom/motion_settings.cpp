@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "guides/base/errors.h"
-#include "procedural/groom/groom_guides.h"
+#include "procedural/groom/placed_guides.h"
 
 namespace lancret {
 

@@ -14,14 +14,14 @@ namespace lancret {
 namespace {
 
 /// The children that the groom's density leaves.
-Roots grown_roots(const GroomSettings& groom, const PlacedGuides& source,
+Roots grown_roots(const GroomSettings& groom, const PlacedGuides& placed,
                   RootPlaces places) {
     if (groom.density == 1) {
-        return roots_at(source.scalp ? &*source.scalp : nullptr, std::move(places));
+        return roots_at(placed.scalp ? &*placed.scalp : nullptr, std::move(places));
     }
     std::vector<std::uint32_t> ids(places.size());
     std::iota(ids.begin(), ids.end(), 0u);
-    Roots out = pruned_roots(groom, source, places, ids, groom.density);
+    Roots out = pruned_roots(groom, placed, places, ids, groom.density);
     if (out.size() == 0) {
         throw InputError(fmt::format("{}: of {} strands a density of {} leaves none",
                                      groom.name, ids.size(), groom.density));
@@ -32,7 +32,7 @@ Roots grown_roots(const GroomSettings& groom, const PlacedGuides& source,
 }  // namespace
 
 ClassedGuides rest_guides(const ReadyGroom& ready) {
-    return classed_guides(ready.source.guides, ready.classes, ready.binding.guide_normals,
+    return classed_guides(ready.placed.guides, ready.classes, ready.binding.guide_normals,
                           ready.groom.expand.blend);
 }
 
@@ -42,7 +42,7 @@ Eigen::AlignedBox3f guide_box(const ReadyGroom& ready) {
     Eigen::AlignedBox3f box;
     const std::size_t places = std::size_t(profiles.count) + 1;
     for (std::size_t g = 0; g < profiles.size(); ++g) {
-        const Vec3f root = ready.source.guides.root_positions[g].cast<float>();
+        const Vec3f root = ready.placed.guides.root_positions[g].cast<float>();
         for (std::size_t i = 0; i < places; ++i) {
             const Vec3f local = scale * profiles.positions[g * places + i];
             box.extend(root + profiles.root_frames[g] * local);
@@ -54,17 +54,17 @@ Eigen::AlignedBox3f guide_box(const ReadyGroom& ready) {
 ReadyGroom make_ready_groom(const GroomSettings& groom, const StageCallback& stage) {
     ReadyGroom out;
     out.groom = groom;
-    out.source = groom_guides(groom, stage);
-    out.seconds = out.source.seconds;
-    if (stage) stage("bind");
+    out.placed = place_guides(groom, stage);
+    out.seconds = out.placed.report.seconds;
+    if (stage) stage(GroomStage::bind);
     Stopwatch watch;
-    RootPlaces places = child_places(groom, out.source);
-    out.sample = sample_of_children(groom, out.source, places);
-    out.binding = bind_children(groom, out.source,
-                                grown_roots(groom, out.source, std::move(places)));
-    const int finest = child_intervals(groom, out.source, out.sample);
-    out.profiles = guide_profiles<float>(out.source.guides, finest);
-    out.classes = child_classes(groom, out.source, out.sample, finest);
+    RootPlaces places = child_places(groom, out.placed);
+    out.sample = sample_of_children(groom, out.placed, places);
+    out.binding = bind_children(groom, out.placed,
+                                grown_roots(groom, out.placed, std::move(places)));
+    const int finest = child_intervals(groom, out.placed, out.sample);
+    out.profiles = guide_profiles<float>(out.placed.guides, finest);
+    out.classes = child_classes(groom, out.placed, out.sample, finest);
     out.binding = in_class_order(std::move(out.binding), out.classes);
     if (groom.expand.has_faces())
         out.binding.faces = rest_faces(out.binding, out.profiles, groom.expand.blend);

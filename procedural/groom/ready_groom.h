@@ -1,7 +1,7 @@
 #pragma once
 // From a groom to all that expansion needs.
 
-#include "procedural/groom/groom_guides.h"
+#include "procedural/groom/placed_guides.h"
 
 namespace lancret {
 
@@ -9,7 +9,7 @@ namespace lancret {
 /// profiles from the guides of that time and keep the binding.
 struct ReadyGroom {
     GroomSettings groom;
-    PlacedGuides source;            ///< guides, scalp, and how they came about
+    PlacedGuides placed;            ///< guides, scalp, and how they came about
     GuideProfiles<float> profiles;  ///< of the guides
     StrandClasses classes;          ///< how finely each strand is cut
     Binding binding;                ///< in_class_order

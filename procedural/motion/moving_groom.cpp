@@ -37,7 +37,7 @@ void each_measured_frame(const ReadyGroom& ready, const GroomTimes& times,
     if (!times.moves() || times.info.frames < 2) return;
     constexpr int kMeasured = 13;
     Binding sample = ready.sample;
-    const RestPlaces rest = rest_places(sample, ready.source);
+    const RestPlaces rest = rest_places(sample, ready.placed);
     const int n = std::min(kMeasured, times.info.frames);
     for (int i = 0; i < n; ++i) {
         const int frame =
@@ -55,11 +55,11 @@ StrandClasses classes_in_time(const ReadyGroom& ready, const GroomTimes& times,
                               CurveBasis basis, double tolerance, int finest) {
     ExpandSettings settings = ready.groom.expand;
     settings.basis = basis;
-    StrandClasses all = coarsest_classes(ready.source.guides, finest);
+    StrandClasses all = coarsest_classes(ready.placed.guides, finest);
     const auto refine = [&](const Binding& sample, const Guides& guides) {
         refine_classes(all, sample, guides, tolerance, settings);
     };
-    refine(ready.sample, ready.source.guides);
+    refine(ready.sample, ready.placed.guides);
     each_measured_frame(ready, times,
                         [&](int, const Guides& guides, const Binding& sample) {
                             refine(sample, guides);
@@ -71,7 +71,7 @@ int intervals_in_time(const ReadyGroom& ready, const GroomTimes& times, CurveBas
                       double tolerance, int most, double* reached) {
     const Blend blend = ready.groom.expand.blend;
     double distance = 0;
-    int out = intervals_within(ready.sample, ready.source.guides, blend, tolerance, basis,
+    int out = intervals_within(ready.sample, ready.placed.guides, blend, tolerance, basis,
                                most, &distance);
     double farthest = distance;
     each_measured_frame(
@@ -96,14 +96,14 @@ RestPlaces prepare_frames(ReadyGroom& ready, const GroomTimes& times) {
                                        intervals_in_time(ready, times, groom.expand.basis,
                                                          groom.tolerance, kMaxIntervals));
         if (intervals != ready.profiles.count) {
-            ready.profiles = guide_profiles<float>(ready.source.guides, intervals);
+            ready.profiles = guide_profiles<float>(ready.placed.guides, intervals);
         }
         ready.classes = groom.adapts() ? classes_in_time(ready, times, groom.expand.basis,
                                                          groom.tolerance, intervals)
                                        : StrandClasses{{intervals}};
         ready.binding = in_class_order(std::move(ready.binding), ready.classes);
     }
-    return rest_places(ready.binding, ready.source);
+    return rest_places(ready.binding, ready.placed);
 }
 
 Guides guides_at(const GroomTimes& times, std::span<const MeshPoint> guide_places,
@@ -135,7 +135,7 @@ FrameState go_to_frame(ReadyGroom& ready, const RestPlaces& rest, const GroomTim
                        double frame) {
     FrameState out;
     if (times.cache.empty()) {
-        out.guides = ready.source.guides;
+        out.guides = ready.placed.guides;
     } else {
         out.guides = guides_at(times, rest.guide_places, frame);
         if (times.pose_at) out.pose = times.pose_at(frame);

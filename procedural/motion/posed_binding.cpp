@@ -62,17 +62,17 @@ void pose_on_mesh(Binding& binding, const RestPlaces& rest, const Scalp& scalp,
 
 }  // namespace
 
-RestPlaces rest_places(const Binding& binding, const PlacedGuides& source) {
+RestPlaces rest_places(const Binding& binding, const PlacedGuides& placed) {
     RestPlaces out;
     out.roots = binding.roots.positions;
     out.normals = binding.roots.normals;
     out.guide_normals = binding.guide_normals;
-    out.guide_roots = source.guides.root_positions;
-    if (source.scalp) {
+    out.guide_roots = placed.guides.root_positions;
+    if (placed.scalp) {
         out.places = binding.roots.places;
-        out.guide_places = source.places;
-        out.vertices = source.scalp->mesh.positions.size();
-        out.triangles = source.scalp->mesh.triangles.size();
+        out.guide_places = placed.places;
+        out.vertices = placed.scalp->mesh.positions.size();
+        out.triangles = placed.scalp->mesh.triangles.size();
     }
     return out;
 }

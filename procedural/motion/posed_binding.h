@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "guides/motion/scalp_pose.h"
-#include "procedural/groom/groom_guides.h"
+#include "procedural/groom/placed_guides.h"
 
 namespace lancret {
 
@@ -23,7 +23,7 @@ struct RestPlaces {
 };
 
 /// Of a binding that `pose_binding` has not touched yet, and the guides it was made with.
-RestPlaces rest_places(const Binding& binding, const PlacedGuides& source);
+RestPlaces rest_places(const Binding& binding, const PlacedGuides& placed);
 
 /// Puts the children's roots and normals and the guides' normals where the scalp has
 /// them, each time from rest, so that nothing adds up. Expanding the binding with the

@@ -36,7 +36,7 @@ class MovingPlugin : public testing::Test {
         const ScalpPoseAt pose = head_pose(groom.motion, groom.groom);
         std::vector<Guides> frames;
         for (int f = 3; f <= 6; ++f) {
-            Guides guides = ready.source.guides;
+            Guides guides = ready.placed.guides;
             const auto head = std::get<RigidPose>(pose(f));
             for (std::size_t g = 0; g < guides.size(); ++g) {
                 guides.root_positions[g] = head * guides.root_positions[g];
@@ -47,7 +47,7 @@ class MovingPlugin : public testing::Test {
         }
         cache_ = (folder_ / "head.h5").string();
         GuideCacheWriter writer(cache_, {24, 3, (folder_ / "head.toml").string()}, 4,
-                                &ready.source.guides);
+                                &ready.placed.guides);
         for (const Guides& frame : frames) writer.add(frame);
         writer.finish();
     }

@@ -78,8 +78,8 @@ TEST(PluginScene, TheHeadIsThatOfTheGroom) {
     const auto groom = opened(context.get(), kSmallGroom);
     const ReadyGroom ready = direct(kSmallGroom);
     const TriangleMesh head = head_of(groom.get());
-    const PlacedGuides& source = ready.source;
-    const TriangleMesh& mesh = source.body ? *source.body : source.scalp->mesh;
+    const PlacedGuides& placed = ready.placed;
+    const TriangleMesh& mesh = placed.body ? *placed.body : placed.scalp->mesh;
     ASSERT_GT(head.triangles.size(), 100u);
     EXPECT_EQ(head.positions, mesh.positions);
     EXPECT_EQ(head.triangles, mesh.triangles);

@@ -177,9 +177,9 @@ TEST(BindingContinuity, OnTheMadeHeadRoundItsParting) {
     groom.strands = 1;
     groom.intervals = 4;
     const ReadyGroom made = make_ready_groom(groom);
-    ASSERT_EQ(made.source.partings.size(), 1u);
-    const Partings partings(made.source.partings);
-    Walked walked{made.source.guides, made.source.normals, {}, &partings};
+    ASSERT_EQ(made.placed.partings.size(), 1u);
+    const Partings partings(made.placed.partings);
+    Walked walked{made.placed.guides, made.placed.normals, {}, &partings};
     const auto on_head = [](const Vec3& direction) {
         const Vec3 unit = direction.normalized();
         return PathPoint{unit.cwiseProduct(kMadeHead),
@@ -212,7 +212,7 @@ TEST(BindingContinuity, BetweenTheRootsOfARealGroom) {
     groom.strands = 100;
     groom.intervals = 3;
     const ReadyGroom sintel = make_ready_groom(groom);
-    Walked walked{sintel.source.guides, sintel.source.normals, groom.bind};
+    Walked walked{sintel.placed.guides, sintel.placed.normals, groom.bind};
     const auto& roots = sintel.binding.roots;
     for (std::size_t i = 0; i + 1 < 12; ++i) {
         // Straight from child to child, with normals between theirs.

@@ -35,7 +35,7 @@ TEST(Borders, NoChildOfTheMadeGroomHasAGuideAcrossItsParting) {
         const Vec3f& child = binding.roots.positions[i];
         if (child.z() < 0 || child.z() > 7) continue;
         for (std::size_t j = 4 * i; j < 4 * i + 4; ++j) {
-            const Vec3& guide = made.source.guides.root_positions[binding.guides[j]];
+            const Vec3& guide = made.placed.guides.root_positions[binding.guides[j]];
             if (guide.z() < 0 || guide.z() > 7) continue;
             ++looked_at;
             EXPECT_GT(double(child.x()) * guide.x(), 0) << "child " << i;
@@ -50,11 +50,12 @@ TEST(Borders, AGroomsOwnPartingStandsInForTheMadeOne) {
     // From ear to ear, drawn above the head.
     groom.partings = {{{-7, 8, 0.5}, {7, 8, 0.5}}};
     const ReadyGroom made = make_ready_groom(groom);
-    ASSERT_EQ(made.source.partings.size(), 1u);
-    for (const Vec3& p : made.source.partings[0]) {
+    ASSERT_EQ(made.placed.partings.size(), 1u);
+    for (const Vec3& p : made.placed.partings[0]) {
         EXPECT_NEAR(p.cwiseQuotient(kMadeHead).norm(), 1, 0.01);
     }
-    EXPECT_THAT(made.source.warnings, testing::Contains(HasSubstr("off the scalp")));
+    EXPECT_THAT(made.placed.report.warnings,
+                testing::Contains(HasSubstr("off the scalp")));
 }
 
 TEST(Borders, RegionsOfStrandsAreThoseOfTheirLinesThoughSomeAreDropped) {
@@ -90,13 +91,14 @@ TEST(Borders, RegionsOfStrandsAreThoseOfTheirLinesThoughSomeAreDropped) {
     groom.regions.ids = folder / "ids.txt";
     groom.fit.segments = 2;
     const ReadyGroom made = make_ready_groom(groom);
-    EXPECT_EQ(made.source.regions.strands, (std::vector<std::uint32_t>{10, 11, 12}));
+    EXPECT_EQ(made.placed.grown.regions.strands,
+              (std::vector<std::uint32_t>{10, 11, 12}));
     // Each child has its own strand's region, and so that strand's guide alone.
     ASSERT_EQ(made.binding.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t k = std::size_t(made.binding.neighbours);
         EXPECT_EQ(made.binding.weights[i * k], 1);
-        EXPECT_EQ(made.source.guides.root_positions[made.binding.guides[i * k]].x(),
+        EXPECT_EQ(made.placed.guides.root_positions[made.binding.guides[i * k]].x(),
                   double(made.binding.roots.positions[i].x()));
     }
 }
@@ -111,13 +113,14 @@ TEST(Borders, EveryRegionWithStrandsGetsAGuide) {
     groom.guides.number = 4;
     groom.regions.ids = folder / "ids.txt";
     const ReadyGroom made = make_ready_groom(groom);
-    std::vector<std::uint32_t> regions = made.source.guide_regions;
+    std::vector<std::uint32_t> regions = made.placed.guide_regions;
     std::ranges::sort(regions);
     regions.erase(std::ranges::unique(regions).begin(), regions.end());
     EXPECT_EQ(regions, (std::vector<std::uint32_t>{0, 7, 67, 127, 187, 247}));
-    EXPECT_EQ(made.source.guides.size(), made.source.guide_regions.size());
+    EXPECT_EQ(made.placed.guides.size(), made.placed.guide_regions.size());
     EXPECT_EQ(made.binding.report.no_guide_in_region, 0u);
-    EXPECT_THAT(made.source.warnings, testing::Contains(HasSubstr("got one each")));
+    EXPECT_THAT(made.placed.report.warnings,
+                testing::Contains(HasSubstr("were given one each")));
 }
 
 TEST(Borders, ATextureNeedsUvsToLieOn) {
@@ -143,14 +146,14 @@ TEST(Borders, ATextureDividesChildrenAndGuidesAlike) {
     // A map of two halves along u, which goes round the head.
     Regions regions;
     regions.map = RegionMap{2, 1, {0, 1}, 2};
-    const auto of_guides = regions_at(regions, made.source.scalp, made.source.grown_roots,
-                                      made.source.guides.root_positions);
+    const auto of_guides = regions_at(regions, made.placed.scalp, made.placed.grown.roots,
+                                      made.placed.guides.root_positions);
     const auto of_children =
-        child_regions(regions, made.source.grown_roots, made.binding.roots);
+        child_regions(regions, made.placed.grown.roots, made.binding.roots);
     const auto expected = [](double x) { return x > 0 ? 0u : 1u; };  // u from +Z over +X
     std::size_t clear = 0;
     for (std::size_t g = 0; g < of_guides.size(); ++g) {
-        const double x = made.source.guides.root_positions[g].x();
+        const double x = made.placed.guides.root_positions[g].x();
         if (std::abs(x) < 0.01) continue;
         EXPECT_EQ(of_guides[g], expected(x)) << g;
     }

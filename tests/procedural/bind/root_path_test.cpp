@@ -32,9 +32,9 @@ Jumps jumps_of(const ReadyGroom& groom, Blend blend, int steps) {
         roots.positions.push_back(unit.cwiseProduct(kMadeHead).cast<float>());
         roots.normals.push_back(normal.cast<float>());
     }
-    const Binding binding = lancret::bind(std::move(roots), groom.source.guides,
-                                          groom.source.normals, groom.groom.bind);
-    const auto profiles = guide_profiles<double>(groom.source.guides, 96);
+    const Binding binding = lancret::bind(std::move(roots), groom.placed.guides,
+                                          groom.placed.normals, groom.groom.bind);
+    const auto profiles = guide_profiles<double>(groom.placed.guides, 96);
     std::vector<HelixState<double>> before(97), now(97);
     Jumps out;
     for (int i = 0; i <= steps; ++i) {

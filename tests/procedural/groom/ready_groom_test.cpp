@@ -34,7 +34,7 @@ CheckReport check_of(const ReadyGroom& ready, Blend blend) {
     tolerances.distance = ready.groom.tolerance;
     const ClassedGuides alike =
         one_class(ready.profiles, ready.binding.guide_normals, blend);
-    return check(ready.binding, ready.source.guides, alike, curves, blend,
+    return check(ready.binding, ready.placed.guides, alike, curves, blend,
                  ready.groom.bind.length_scale, tolerances);
 }
 
@@ -45,18 +45,19 @@ double median(std::vector<double> values) {
 
 TEST(ReadyGroom, MakesTheSmallGroomFromEndToEnd) {
     std::vector<std::string> stages;
-    const ReadyGroom ready = make_ready_groom(
-        small_made_groom(), [&](const char* stage) { stages.emplace_back(stage); });
+    const ReadyGroom ready = make_ready_groom(small_made_groom(), [&](GroomStage stage) {
+        stages.emplace_back(stage_name(stage));
+    });
     EXPECT_EQ(stages, (std::vector<std::string>{"load", "fit", "bind"}));
-    EXPECT_EQ(ready.source.groom_strands, 60u);
-    EXPECT_EQ(ready.source.guides.size(), 20u);
-    EXPECT_EQ(ready.source.fits.size(), 20u);
-    EXPECT_EQ(ready.source.normals.size(), 20u);
+    EXPECT_EQ(ready.placed.report.groom_strands, 60u);
+    EXPECT_EQ(ready.placed.guides.size(), 20u);
+    EXPECT_EQ(ready.placed.fits.size(), 20u);
+    EXPECT_EQ(ready.placed.normals.size(), 20u);
     EXPECT_EQ(ready.binding.size(), 400u);
     EXPECT_EQ(ready.binding.roots.uvs.size(), 400u);
     EXPECT_EQ(ready.profiles.count % 24, 0);
-    EXPECT_TRUE(ready.source.whole_scalp);
-    ASSERT_TRUE(ready.source.body);
+    EXPECT_TRUE(ready.placed.whole_scalp);
+    ASSERT_TRUE(ready.placed.body);
     for (const Vec3f& p : ready.binding.roots.positions) {
         // The scalp is a mesh inside the ellipsoid whose vertices lie on it.
         const double level = p.cast<double>().cwiseQuotient(kMadeHead).squaredNorm();
@@ -105,7 +106,7 @@ TEST(ReadyGroom, BlendOfPositionsLosesTheLengthThatOption1Keeps) {
 TEST(ReadyGroom, IsTheSameEveryTime) {
     const ReadyGroom a = make_ready_groom(small_made_groom());
     const ReadyGroom b = make_ready_groom(small_made_groom());
-    EXPECT_EQ(a.source.guides.curvatures, b.source.guides.curvatures);
+    EXPECT_EQ(a.placed.guides.curvatures, b.placed.guides.curvatures);
     EXPECT_EQ(a.binding.roots.positions, b.binding.roots.positions);
     EXPECT_EQ(a.binding.weights, b.binding.weights);
     EXPECT_EQ(a.profiles.count, b.profiles.count);
@@ -114,19 +115,19 @@ TEST(ReadyGroom, IsTheSameEveryTime) {
 TEST(ReadyGroom, TakesGuidesFromACacheAsTheyAre) {
     TemporaryFolder folder;
     GroomSettings groom = small_made_groom();
-    const Guides guides = make_ready_groom(groom).source.guides;
+    const Guides guides = make_ready_groom(groom).placed.guides;
     write_guide_cache(folder / "guides.h5", {}, {&guides, 1});
     groom.strands_file = folder / "guides.h5";
     groom.strands = 20;  // on the guides' own roots: a cache alone has no scalp
     const ReadyGroom cached = make_ready_groom(groom);
-    EXPECT_EQ(cached.source.guides.root_positions, guides.root_positions);
-    EXPECT_EQ(cached.source.guides.root_frames, guides.root_frames);
-    EXPECT_EQ(cached.source.guides.segment_lengths, guides.segment_lengths);
-    EXPECT_EQ(cached.source.guides.curvatures, guides.curvatures);
-    EXPECT_TRUE(cached.source.fits.empty());
+    EXPECT_EQ(cached.placed.guides.root_positions, guides.root_positions);
+    EXPECT_EQ(cached.placed.guides.root_frames, guides.root_frames);
+    EXPECT_EQ(cached.placed.guides.segment_lengths, guides.segment_lengths);
+    EXPECT_EQ(cached.placed.guides.curvatures, guides.curvatures);
+    EXPECT_TRUE(cached.placed.fits.empty());
     EXPECT_EQ(cached.binding.size(), 20u);
     for (std::size_t i = 0; i < 20; ++i) {
-        EXPECT_EQ(cached.source.normals[i], guides.root_frames[i].col(0).cast<float>());
+        EXPECT_EQ(cached.placed.normals[i], guides.root_frames[i].col(0).cast<float>());
     }
     groom.strands = 21;
     EXPECT_THAT(input_error([&] { make_ready_groom(groom); }), HasSubstr("--scalp"));
@@ -147,15 +148,15 @@ TEST(ReadyGroom, ScalesFilesToCentimetres) {
     groom.strands_file = folder / "m.hair";
     groom.scene.metres_per_unit = 1;
     const ReadyGroom metres = make_ready_groom(groom);
-    ASSERT_EQ(metres.source.guides.size(), 30u);
+    ASSERT_EQ(metres.placed.guides.size(), 30u);
     for (std::size_t g = 0; g < 30; ++g) {
         // Points of up to 40 cm, rounded twice more on their way through metres.
-        EXPECT_LT((metres.source.guides.root_positions[g] -
-                   centimetres.source.guides.root_positions[g])
+        EXPECT_LT((metres.placed.guides.root_positions[g] -
+                   centimetres.placed.guides.root_positions[g])
                       .norm(),
                   1e-5);
-        EXPECT_NEAR(guide_length(metres.source.guides, g),
-                    guide_length(centimetres.source.guides, g), 1e-3);
+        EXPECT_NEAR(guide_length(metres.placed.guides, g),
+                    guide_length(centimetres.placed.guides, g), 1e-3);
     }
 }
 
@@ -178,12 +179,12 @@ TEST(ReadyGroom, SnapsRootsToTheScalpAndCountsThem) {
     groom.scalp_file = folder / "square.obj";
     groom.strands = 100;
     const ReadyGroom ready = make_ready_groom(groom);
-    EXPECT_EQ(ready.source.snapped_roots, 8u);
-    EXPECT_NEAR(ready.source.largest_snap, 0.25, 1e-6);
-    for (const Vec3& p : ready.source.guides.root_positions) {
+    EXPECT_EQ(ready.placed.report.snapped_roots, 8u);
+    EXPECT_NEAR(ready.placed.report.largest_snap, 0.25, 1e-6);
+    for (const Vec3& p : ready.placed.guides.root_positions) {
         EXPECT_NEAR(p.z(), 0, 1e-6);
     }
-    for (const Vec3f& n : ready.source.normals) EXPECT_EQ(n, Vec3f::UnitZ());
+    for (const Vec3f& n : ready.placed.normals) EXPECT_EQ(n, Vec3f::UnitZ());
     EXPECT_TRUE(check_of(ready, Blend::option1).pass());
 }
 
@@ -211,7 +212,7 @@ TEST(ReadyGroom, GrowsARealGroom) {
     groom.strands = 1000;
     const ReadyGroom ready = make_ready_groom(groom);
     std::vector<double> rms;
-    for (const FitReport& fit : ready.source.fits) {
+    for (const FitReport& fit : ready.placed.fits) {
         rms.push_back(fit.rms / fit.length);
     }
     ASSERT_EQ(rms.size(), 150u);

@@ -43,7 +43,7 @@ Guides moved(Guides guides, const RigidPose& pose) {
 Curves children(const ReadyGroom& rest, const Guides& guides, const ScalpPose& pose,
                 Blend blend) {
     Binding binding = rest.binding;
-    pose_binding(binding, rest_places(rest.binding, rest.source), pose);
+    pose_binding(binding, rest_places(rest.binding, rest.placed), pose);
     return expand(binding, guide_profiles<float>(guides, rest.profiles.count),
                   {.blend = blend});
 }
@@ -62,7 +62,7 @@ double distance_from_image(const Curves& rest, const Curves& posed,
 
 TEST(Pose, RigidMotionOfEverythingMovesTheChildrenRigidly) {
     const ReadyGroom& g = small_groom();
-    const Guides guides = moved(g.source.guides, kMoved);
+    const Guides guides = moved(g.placed.guides, kMoved);
     for (const Blend blend : {Blend::detail, Blend::position}) {
         const Curves rest = expand(g.binding, g.profiles, {.blend = blend});
         const Curves posed = children(g, guides, kMoved, blend);
@@ -77,10 +77,10 @@ TEST(Pose, RigidMotionOfEverythingMovesTheChildrenRigidly) {
 TEST(Pose, InDoublePrecisionEveryBlendMovesRigidly) {
     const ReadyGroom& g = small_groom();
     Binding binding = g.binding;
-    pose_binding(binding, rest_places(g.binding, g.source), kMoved);
+    pose_binding(binding, rest_places(g.binding, g.placed), kMoved);
     const int n = g.profiles.count;
-    const auto rest = guide_profiles<double>(g.source.guides, n);
-    const auto posed = guide_profiles<double>(moved(g.source.guides, kMoved), n);
+    const auto rest = guide_profiles<double>(g.placed.guides, n);
+    const auto posed = guide_profiles<double>(moved(g.placed.guides, kMoved), n);
     std::vector<HelixState<double>> a(n + 1), b(n + 1);
     for (const BlendTraits& entry : blends()) {
         SCOPED_TRACE(entry.name);
@@ -104,7 +104,7 @@ TEST(Pose, InDoublePrecisionEveryBlendMovesRigidly) {
 
 TEST(Pose, PosesDoNotAddUp) {
     const ReadyGroom& g = small_groom();
-    const RestPlaces rest = rest_places(g.binding, g.source);
+    const RestPlaces rest = rest_places(g.binding, g.placed);
     Binding binding = g.binding;
     for (int i = 0; i < 3; ++i) pose_binding(binding, rest, kMoved);
     EXPECT_NE(binding.roots.positions, g.binding.roots.positions);
@@ -112,32 +112,32 @@ TEST(Pose, PosesDoNotAddUp) {
     EXPECT_EQ(binding.roots.positions, g.binding.roots.positions);
     EXPECT_EQ(binding.roots.normals, g.binding.roots.normals);
     EXPECT_EQ(binding.guide_normals, g.binding.guide_normals);
-    EXPECT_EQ(roots, g.source.guides.root_positions);
+    EXPECT_EQ(roots, g.placed.guides.root_positions);
 }
 
 TEST(Pose, TheRestMeshIsTheRestPose) {
     const ReadyGroom& g = small_groom();
     Binding binding = g.binding;
     const std::vector<Vec3> roots = pose_binding(
-        binding, rest_places(g.binding, g.source), ScalpPose(g.source.scalp->mesh));
+        binding, rest_places(g.binding, g.placed), ScalpPose(g.placed.scalp->mesh));
     EXPECT_EQ(binding.roots.positions, g.binding.roots.positions);
     EXPECT_EQ(binding.roots.normals, g.binding.roots.normals);
     EXPECT_EQ(binding.guide_normals, g.binding.guide_normals);
     // A place keeps its (u, v) in floats, 6e-8 of an edge of less than 10 cm, and the
     // closest point is found in them.
-    ASSERT_EQ(roots.size(), g.source.guides.size());
+    ASSERT_EQ(roots.size(), g.placed.guides.size());
     for (std::size_t i = 0; i < roots.size(); ++i)
-        EXPECT_LE((roots[i] - g.source.guides.root_positions[i]).norm(), 1e-5);
+        EXPECT_LE((roots[i] - g.placed.guides.root_positions[i]).norm(), 1e-5);
 }
 
 TEST(Pose, AMeshThatStretchesTakesRootsAndNormalsAlong) {
     // z = 0.5 x over a square: every root rises by half its x, normals lean by (-1, 0,
     // 2).
     const ReadyGroom& g = small_groom();
-    TriangleMesh sheared = g.source.scalp->mesh;
+    TriangleMesh sheared = g.placed.scalp->mesh;
     for (Vec3f& p : sheared.positions) p.z() += 0.5f * p.x();
     Binding binding = g.binding;
-    pose_binding(binding, rest_places(g.binding, g.source), ScalpPose(sheared));
+    pose_binding(binding, rest_places(g.binding, g.placed), ScalpPose(sheared));
     const Scalp scalp = make_scalp(sheared);
     for (std::size_t i = 0; i < binding.size(); ++i) {
         const Vec3f& rest = g.binding.roots.positions[i];
@@ -152,9 +152,9 @@ TEST(Pose, AMeshThatStretchesTakesRootsAndNormalsAlong) {
 
 TEST(Pose, CarriersGoAlongWithTheMesh) {
     const ReadyGroom& g = small_groom();
-    const RestPlaces rest = rest_places(g.binding, g.source);
+    const RestPlaces rest = rest_places(g.binding, g.placed);
     const std::size_t count = rest.guide_places.size();
-    const TriangleMesh& mesh = g.source.scalp->mesh;
+    const TriangleMesh& mesh = g.placed.scalp->mesh;
     const auto before = carriers(ScalpPose(mesh), rest.guide_places, count);
     const auto after =
         carriers(ScalpPose(posed_mesh(mesh, kMoved)), rest.guide_places, count);
@@ -177,9 +177,9 @@ TEST(Pose, CarriersGoAlongWithTheMesh) {
 
 TEST(Pose, ARigidlyMovedMeshIsARigidPose) {
     const ReadyGroom& g = small_groom();
-    const Guides guides = moved(g.source.guides, kMoved);
-    const TriangleMesh mesh = posed_mesh(g.source.scalp->mesh, kMoved);
-    const RestPlaces rest = rest_places(g.binding, g.source);
+    const Guides guides = moved(g.placed.guides, kMoved);
+    const TriangleMesh mesh = posed_mesh(g.placed.scalp->mesh, kMoved);
+    const RestPlaces rest = rest_places(g.binding, g.placed);
     Binding rigid = g.binding, meshed = g.binding;
     pose_binding(rigid, rest, kMoved);
     pose_binding(meshed, rest, ScalpPose(mesh));
@@ -202,7 +202,7 @@ TEST(Pose, FollowsAHeadOnAPathOfKeys) {
     const RigidPose& rigid = std::get<RigidPose>(pose);
     const ReadyGroom& g = small_groom();
     Binding binding = g.binding;
-    pose_binding(binding, rest_places(g.binding, g.source), pose);
+    pose_binding(binding, rest_places(g.binding, g.placed), pose);
     const RestRoot rest{{Mat3::Identity(), g.binding.roots.positions[5].cast<double>()},
                         {}};
     const RootMotion moved_root = root_motion(scalp_at(motion, 4), rest);
@@ -216,13 +216,13 @@ TEST(Pose, FollowsAHeadOnAPathOfKeys) {
 TEST(Pose, RefusesAMeshOfAnotherShape) {
     const ReadyGroom& g = small_groom();
     Binding binding = g.binding;
-    RestPlaces rest = rest_places(g.binding, g.source);
+    RestPlaces rest = rest_places(g.binding, g.placed);
     const auto error = [&](const TriangleMesh& mesh) {
         return input_error([&] { pose_binding(binding, rest, ScalpPose(mesh)); });
     };
     EXPECT_THAT(error(square_mesh(4, 3)),
                 HasSubstr("the posed scalp has 16 vertices and 18 triangles"));
-    TriangleMesh mesh = g.source.scalp->mesh;
+    TriangleMesh mesh = g.placed.scalp->mesh;
     mesh.positions[3].y() = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THAT(error(mesh), HasSubstr("nowhere"));
     rest.triangles = 0;

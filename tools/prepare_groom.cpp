@@ -1,4 +1,4 @@
-#include "tools/generate.h"
+#include "tools/prepare_groom.h"
 
 #include <fmt/format.h>
 
@@ -14,16 +14,16 @@
 namespace lancret {
 
 void log_warnings(const ReadyGroom& ready) {
-    for (const std::string& warning : warning_lines(ready.source)) {
+    for (const std::string& warning : warning_lines(ready.placed)) {
         fmt::print(stderr, "lancret: warning: {}\n", warning);
     }
 }
 
-ReadyGroom make_ready_groom_with_progress(const GroomSettings& groom) {
+ReadyGroom prepare_groom(const GroomSettings& groom) {
     check_points(groom);
     StageLine line;
     ReadyGroom out =
-        make_ready_groom(groom, [&](const char* stage) { line.show(stage); });
+        make_ready_groom(groom, [&](GroomStage stage) { line.show(stage_name(stage)); });
     line.clear();
     std::uint64_t points = 0;
     const std::vector<std::uint32_t> sizes = class_sizes(out.classes, out.binding);
@@ -39,14 +39,15 @@ ReadyGroom make_ready_groom_with_progress(const GroomSettings& groom) {
     return out;
 }
 
-nlohmann::json fit_stats(const PlacedGuides& source) {
-    nlohmann::json stats = fit_json(source);
-    stats["seconds"] = {{"load", source.seconds.load}, {"fit", source.seconds.fit}};
+nlohmann::json fit_stats(const PlacedGuides& placed) {
+    nlohmann::json stats = fit_json(placed);
+    stats["seconds"] = {{"load", placed.report.seconds.load},
+                        {"fit", placed.report.seconds.fit}};
     return stats;
 }
 
 nlohmann::json ready_groom_stats(const ReadyGroom& g) {
-    nlohmann::json stats = fit_stats(g.source);
+    nlohmann::json stats = fit_stats(g.placed);
     stats["strands"] = g.binding.size();
     stats["intervals"] = g.profiles.count;
     stats["blend"] = blend_name(g.groom.expand.blend);

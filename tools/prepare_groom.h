@@ -9,13 +9,13 @@ namespace lancret {
 
 /// make_ready_groom with its stages on a terminal and its warnings on stderr. Throws
 /// InputError.
-ReadyGroom make_ready_groom_with_progress(const GroomSettings& groom);
+ReadyGroom prepare_groom(const GroomSettings& groom);
 
 /// What is worth telling of a groom's guides, on stderr.
 void log_warnings(const ReadyGroom& ready);
 
 /// {groom_strands, guides, segments, seconds.{load, fit}, fit.{...}, roots.{...}}.
-nlohmann::json fit_stats(const PlacedGuides& source);
+nlohmann::json fit_stats(const PlacedGuides& placed);
 
 /// fit_stats and {strands, intervals, blend, seconds.bind, bytes.{binding,
 /// binding_per_strand}, bind.{...}: bind_json}. Commands add their own seconds and bytes.

@@ -1,4 +1,4 @@
-#include "procedural/groom/groom_guides.h"
+#include "procedural/groom/placed_guides.h"
 
 #include <fmt/format.h>
 
@@ -21,10 +21,10 @@ namespace lancret {
 
 namespace {
 
-/// Roots and root tangents of strands that have a length.
+/// Roots and root tangents of the strands that have a length.
 struct StrandRoots {
-    std::vector<std::uint32_t> strands;  ///< which they are
-    std::vector<Vec3> positions, tangents;
+    std::vector<std::uint32_t> strands;     ///< indices of the strands
+    std::vector<Vec3> positions, tangents;  ///< [strands]
 };
 
 StrandRoots strand_roots(const Strands& strands) {
@@ -52,11 +52,11 @@ std::vector<T> picked(const std::vector<T>& from, std::span<const std::uint32_t>
     return out;
 }
 
-/// Places in a file are within bounds, but may leave them with the scene's units.
+/// Coordinates of a file are within limits, but scaling to centimetres may exceed them.
 void check_places(const std::vector<Vec3f>& places, const std::string& file) {
     if (std::ranges::all_of(places, is_place)) return;
     throw InputError(fmt::format(
-        "{}: metres_per_unit of [scene] puts it beyond {:.0e} cm, which is no place",
+        "{}: metres_per_unit in [scene] scales coordinates beyond the limit of {:.0e} cm",
         file, kLargestCoordinate));
 }
 
@@ -80,7 +80,7 @@ LoadedGroom load_groom(const GroomSettings& groom, std::vector<std::string>& war
         warnings = std::move(report.warnings);
         out.dropped = std::move(report.dropped);
         if (report.dropped_strands > 0) {
-            warnings.push_back(fmt::format("{}: {} strands of one point were left out",
+            warnings.push_back(fmt::format("{}: ignored {} strands of one point",
                                            groom.strands_file.string(),
                                            report.dropped_strands));
         }
@@ -112,7 +112,7 @@ std::optional<Scalp> load_scalp(const GroomSettings& groom) {
     Scalp out = make_scalp(std::move(*mesh));
     if (!(out.area > 0)) {
         throw InputError(
-            fmt::format("{}: a mesh without area is no scalp",
+            fmt::format("{}: the scalp mesh has no area",
                         groom.own_scalp ? groom.name : groom.scalp_file.string()));
     }
     return out;
@@ -120,57 +120,59 @@ std::optional<Scalp> load_scalp(const GroomSettings& groom) {
 
 namespace {
 
-/// Guides from a cache: they are the groom.
-void take_cached(const GroomSettings& groom, PlacedGuides& out) {
+/// Reads the guides of a cache, which are the whole groom.
+void read_cached_guides(const GroomSettings& groom, PlacedGuides& out) {
     out.guides = read_rest_guides(groom.strands_file);
-    out.groom_strands = out.guides.size();
-    out.grown_roots = out.guides.root_positions;
+    out.report.groom_strands = out.guides.size();
+    out.grown.roots = out.guides.root_positions;
     for (const Mat3& frame : out.guides.root_frames)
-        out.grown_tangents.push_back(frame.col(0));
+        out.grown.tangents.push_back(frame.col(0));
 }
 
-/// The numbers in their file of `strands`, those that are left without `dropped`.
+/// Maps indices of the strands that were kept to their numbers in the file, which also
+/// counts the `dropped` ones. Both ascend.
 std::vector<std::uint32_t> numbers_in_file(std::span<const std::uint32_t> strands,
                                            std::span<const std::uint32_t> dropped) {
     std::vector<std::uint32_t> out;
     std::size_t gone = 0;
-    for (std::uint32_t i : strands) {  // ascending, as `dropped` is
+    for (std::uint32_t i : strands) {
         while (gone < dropped.size() && dropped[gone] <= i + gone) ++gone;
         out.push_back(i + std::uint32_t(gone));
     }
     return out;
 }
 
-/// Guides chosen from strands and fitted to them.
-void fit_chosen(const GroomSettings& groom, const Strands& strands,
-                const StrandRoots& roots, PlacedGuides& out) {
+/// Selects guides from the strands and fits them.
+void fit_selected(const GroomSettings& groom, const Strands& strands,
+                  const StrandRoots& roots, PlacedGuides& out) {
     const std::uint32_t count = groom.guides.of(roots.strands.size());
-    auto chosen = farthest_points(roots.positions, count, groom.seed);
-    if (const std::size_t more = choose_for_regions(out.regions, roots.positions, chosen);
+    auto selected = farthest_points(roots.positions, count, groom.seed);
+    if (const std::size_t more =
+            choose_for_regions(out.grown.regions, roots.positions, selected);
         more > 0) {
-        out.warnings.push_back(fmt::format(
-            "{}: {} regions had none of the {} guides that were chosen, and got one each",
+        out.report.warnings.push_back(fmt::format(
+            "{}: {} regions had none of the {} selected guides and were given one each",
             groom.name, more, count));
     }
     std::vector<Vec3> surface_tangents;
     if (out.scalp) {
         const ClosestPoint closest(out.scalp->mesh);
-        for (const std::uint32_t i : chosen) {
+        for (const std::uint32_t i : selected) {
             const MeshPoint point = closest.closest(roots.positions[i]).point;
             surface_tangents.push_back(surface_frame(*out.scalp, point).col(1));
         }
     }
     FittedGuides fitted =
-        fit_guides(strands, picked(roots.strands, chosen), surface_tangents, groom.fit);
+        fit_guides(strands, picked(roots.strands, selected), surface_tangents, groom.fit);
     out.guides = std::move(fitted.guides);
     out.fits = std::move(fitted.reports);
-    if (!out.regions.strands.empty()) {
-        out.guide_regions = picked(out.regions.strands, chosen);
+    if (!out.grown.regions.strands.empty()) {
+        out.guide_regions = picked(out.grown.regions.strands, selected);
     }
 }
 
-/// Puts the guides' roots on the scalp and takes its normals there; without a scalp, a
-/// guide's own direction is the normal.
+/// Projects the guides' roots onto the scalp and takes its normals there. Without a
+/// scalp, the normal is the direction of the guide at its root.
 void stand_on_scalp(PlacedGuides& out) {
     if (!out.scalp) {
         for (const Mat3& frame : out.guides.root_frames) {
@@ -178,8 +180,7 @@ void stand_on_scalp(PlacedGuides& out) {
         }
         return;
     }
-    // Below a thousandth of a millimetre a root in a single-precision file is on the
-    // surface.
+    // A root closer than this, cm, is on the surface to the precision of a float file.
     constexpr double kOnSurface = 1e-4;
     const ClosestPoint closest(out.scalp->mesh);
     for (Vec3& root : out.guides.root_positions) {
@@ -187,8 +188,8 @@ void stand_on_scalp(PlacedGuides& out) {
         root = nearest.position;
         out.places.push_back(nearest.point);
         out.normals.push_back(scalp_normal(*out.scalp, nearest.point).cast<float>());
-        out.snapped_roots += nearest.distance > kOnSurface;
-        out.largest_snap = std::max(out.largest_snap, nearest.distance);
+        out.report.snapped_roots += nearest.distance > kOnSurface;
+        out.report.largest_snap = std::max(out.report.largest_snap, nearest.distance);
     }
 }
 
@@ -199,41 +200,41 @@ std::vector<Polyline> groom_partings(const GroomSettings& groom,
                                      const std::optional<Scalp>& scalp,
                                      std::vector<std::string>& warnings) {
     double farthest = 0;
-    const bool own = !groom.partings.empty();
-    auto out = partings_on_scalp(own ? groom.partings : made, scalp, farthest);
-    constexpr double kFarOff = 1;  // cm: drawn for another head, or in another unit
-    if (own && farthest > kFarOff) {
+    const bool has_partings = !groom.partings.empty();
+    auto out = partings_on_scalp(has_partings ? groom.partings : made, scalp, farthest);
+    constexpr double kFarOff = 1;  // cm: likely drawn for another head or in another unit
+    if (has_partings && farthest > kFarOff) {
         warnings.push_back(fmt::format(
             "{}: the points of [[partings]] are up to {:.3g} cm off the scalp and were "
-            "put on it; are they in one unit?",
+            "moved onto it; check that both use the same unit",
             groom.name, farthest));
     }
     return out;
 }
 
-PlacedGuides groom_guides(const GroomSettings& groom, const StageCallback& stage) {
-    const auto enter = [&](const char* name) {
-        if (stage) stage(name);
+PlacedGuides place_guides(const GroomSettings& groom, const StageCallback& stage) {
+    const auto enter = [&](GroomStage next) {
+        if (stage) stage(next);
     };
     PlacedGuides out;
     Stopwatch watch;
-    enter("load");
+    enter(GroomStage::load);
     out.scalp = load_scalp(groom);
     if (groom.strands_file.extension() == ".h5") {
-        take_cached(groom, out);
+        read_cached_guides(groom, out);
         std::vector<std::uint32_t> numbers(out.guides.size());
         std::iota(numbers.begin(), numbers.end(), 0u);
-        out.regions = read_regions(groom.regions, groom.name, out.scalp, out.grown_roots,
-                                   numbers, numbers.size());
-        out.guide_regions = out.regions.strands;
-        out.partings = groom_partings(groom, {}, out.scalp, out.warnings);
+        out.grown.regions = read_regions(groom.regions, groom.name, out.scalp,
+                                         out.grown.roots, numbers, numbers.size());
+        out.guide_regions = out.grown.regions.strands;
+        out.partings = groom_partings(groom, {}, out.scalp, out.report.warnings);
         stand_on_scalp(out);
         out.lookup = std::make_shared<GuideLookup>(out.guides, out.guide_regions);
-        out.seconds.load = watch.lap();
+        out.report.seconds.load = watch.lap();
         return out;
     }
-    LoadedGroom loaded = load_groom(groom, out.warnings);
-    out.groom_strands = loaded.strands.size();
+    LoadedGroom loaded = load_groom(groom, out.report.warnings);
+    out.report.groom_strands = loaded.strands.size();
     if (!out.scalp && loaded.scalp) {
         out.scalp = make_scalp(std::move(*loaded.scalp));
         out.body = std::move(loaded.body);
@@ -244,28 +245,29 @@ PlacedGuides groom_guides(const GroomSettings& groom, const StageCallback& stage
         throw InputError(fmt::format("{}: no strand has a length", groom.name));
     }
     if (const std::size_t flat = loaded.strands.size() - roots.strands.size(); flat > 0) {
-        out.warnings.push_back(fmt::format(
-            "{}: {} strands without a length were left out", groom.name, flat));
+        out.report.warnings.push_back(
+            fmt::format("{}: ignored {} strands of zero length", groom.name, flat));
     }
-    out.regions = read_regions(groom.regions, groom.name, out.scalp, roots.positions,
-                               numbers_in_file(roots.strands, loaded.dropped),
-                               loaded.strands.size() + loaded.dropped.size());
-    out.partings = groom_partings(groom, loaded.partings, out.scalp, out.warnings);
-    out.seconds.load = watch.lap();
+    out.grown.regions =
+        read_regions(groom.regions, groom.name, out.scalp, roots.positions,
+                     numbers_in_file(roots.strands, loaded.dropped),
+                     loaded.strands.size() + loaded.dropped.size());
+    out.partings = groom_partings(groom, loaded.partings, out.scalp, out.report.warnings);
+    out.report.seconds.load = watch.lap();
 
-    enter("fit");
+    enter(GroomStage::fit);
     if (groom.guides_file.empty()) {
-        fit_chosen(groom, loaded.strands, roots, out);
+        fit_selected(groom, loaded.strands, roots, out);
     } else {
         out.guides = read_rest_guides(groom.guides_file);
-        out.guide_regions = regions_at(out.regions, out.scalp, roots.positions,
+        out.guide_regions = regions_at(out.grown.regions, out.scalp, roots.positions,
                                        out.guides.root_positions);
     }
     stand_on_scalp(out);
     out.lookup = std::make_shared<GuideLookup>(out.guides, out.guide_regions);
-    out.grown_roots = roots.positions;
-    out.grown_tangents = roots.tangents;
-    out.seconds.fit = watch.lap();
+    out.grown.roots = roots.positions;
+    out.grown.tangents = roots.tangents;
+    out.report.seconds.fit = watch.lap();
     return out;
 }
 
