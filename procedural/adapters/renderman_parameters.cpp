@@ -170,8 +170,9 @@ void take(const Word& word, RendermanParameters& out, Times& times) {
     if (name.find('.') != std::string::npos) {
         out.values.push_back(groom_value(word));
     } else if (name.empty() || name == "file") {
-        if (!out.file.empty())
+        if (!out.file.empty()) {
             fail(word, "the file is already set to '" + out.file + "'");
+        }
         if (word.value.empty()) fail(word, "expected a file name");
         out.file = word.value;
     } else if (name == "frame") {

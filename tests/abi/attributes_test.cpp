@@ -16,7 +16,7 @@ constexpr lancret_u32 kAll = 255;
 constexpr int kBases[] = {LANCRET_LINEAR, LANCRET_BSPLINE, LANCRET_CATMULL_ROM,
                           LANCRET_BEZIER, LANCRET_HERMITE};
 constexpr float kEpsilon = std::numeric_limits<float>::epsilon();
-/// So that points of all bases stand at the same places of a strand.
+/// The same for all bases, so that their points are at the same places of a strand.
 constexpr int kIntervals = 24;
 const std::string kSameIntervals =
     kSmallGroom + "intervals = " + std::to_string(kIntervals) + "\n";

@@ -17,8 +17,9 @@ std::string output_of(const std::string& command) {
     FILE* pipe = popen(command.c_str(), "r");
     if (!pipe) return out;
     char buffer[4096];
-    while (std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe))
+    while (std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) {
         out.append(buffer, n);
+    }
     pclose(pipe);
     return out;
 }
