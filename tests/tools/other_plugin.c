@@ -1,7 +1,6 @@
-/* A plugin that knows nothing of hair: whatever it is asked to open, it gives as many posts
- * as strands.count says, 10 cm high and 1 cm wide, 2 cm apart along x, with ids from 1000
- * on, each a chunk. What a picture shows of them can have come from nowhere else. Where
- * OTHER_PLUGIN_FAILS is said, no chunk can be written. */
+/* A plugin without hair: it opens any file as strands.count posts, 10 cm high and 1 cm wide,
+ * 2 cm apart along x, with ids from 1000 on, each a chunk. A picture of them can only have come
+ * through the plugin. If OTHER_PLUGIN_FAILS is set, chunks cannot be written. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,8 +23,8 @@ struct lancret_chunk {
 const char *lancret_version(void) { return "other"; }
 
 int lancret_abi_version(void) {
-    const char *said = getenv("OTHER_PLUGIN_VERSION");
-    return said ? atoi(said) : LANCRET_ABI_VERSION;
+    const char *version = getenv("OTHER_PLUGIN_VERSION");
+    return version ? atoi(version) : LANCRET_ABI_VERSION;
 }
 
 lancret_status lancret_context_create(int abi_version, const lancret_host *host,
@@ -102,27 +101,27 @@ lancret_status lancret_groom_is_still(const lancret_groom *groom, const double *
     return LANCRET_OK;
 }
 
-lancret_status lancret_groom_get_chunk_box(const lancret_groom *groom, lancret_u32 chunk,
+lancret_status lancret_groom_get_chunk_box(const lancret_groom *groom, lancret_u32 index,
                              const lancret_options *options, int kind, float box[6]) {
-    (void)chunk;
+    (void)index;
     (void)options;
     (void)kind;
     put_box(groom->posts, box);
     return LANCRET_OK;
 }
 
-lancret_status lancret_chunk_open(const lancret_groom *groom, lancret_u32 chunk,
-                                  const lancret_options *options, lancret_chunk **bound) {
+lancret_status lancret_chunk_open(const lancret_groom *groom, lancret_u32 index,
+                                  const lancret_options *options, lancret_chunk **chunk) {
     (void)options;
-    *bound = calloc(1, sizeof **bound);
-    (*bound)->host = groom->host;
-    (*bound)->post = chunk;
+    *chunk = calloc(1, sizeof **chunk);
+    (*chunk)->host = groom->host;
+    (*chunk)->post = index;
     return LANCRET_OK;
 }
 
-lancret_status lancret_chunk_get_sizes(const lancret_chunk *bound, lancret_curves *sizes) {
+lancret_status lancret_chunk_get_sizes(const lancret_chunk *chunk, lancret_curves *sizes) {
     size_t size = sizes->size;
-    (void)bound;
+    (void)chunk;
     memset(sizes, 0, size);
     sizes->size = size;
     sizes->basis = LANCRET_BSPLINE;
@@ -131,17 +130,17 @@ lancret_status lancret_chunk_get_sizes(const lancret_chunk *bound, lancret_curve
     return LANCRET_OK;
 }
 
-lancret_status lancret_chunk_write(const lancret_chunk *bound, const lancret_curves *to) {
+lancret_status lancret_chunk_write(const lancret_chunk *chunk, const lancret_curves *to) {
     lancret_u32 j;
     if (getenv("OTHER_PLUGIN_FAILS")) {
-        bound->host->log(bound->host->user, LANCRET_LOG_ERROR, "the posts are gone");
+        chunk->host->log(chunk->host->user, LANCRET_LOG_ERROR, "the posts are gone");
         return LANCRET_BAD_INPUT;
     }
     *(lancret_u32 *)to->counts = kPoints;
-    *(lancret_u32 *)to->ids = kFirstId + bound->post;
+    *(lancret_u32 *)to->ids = kFirstId + chunk->post;
     for (j = 0; j < kPoints; ++j) {
         float *p = (float *)to->positions[0] + 4 * j;
-        p[0] = 2 * (float)bound->post;
+        p[0] = 2 * (float)chunk->post;
         p[1] = 5 * ((float)j - 1); /* from a segment below to one above */
         p[2] = 0;
         p[3] = 0.5f;
@@ -149,22 +148,22 @@ lancret_status lancret_chunk_write(const lancret_chunk *bound, const lancret_cur
     return LANCRET_OK;
 }
 
-void lancret_chunk_close(lancret_chunk *bound) { free(bound); }
+void lancret_chunk_close(lancret_chunk *chunk) { free(chunk); }
 
-lancret_status lancret_chunk_get_info(const lancret_chunk *bound, lancret_chunk_info *info) {
+lancret_status lancret_chunk_get_info(const lancret_chunk *chunk, lancret_chunk_info *info) {
     size_t size = info->size;
-    (void)bound;
+    (void)chunk;
     memset(info, 0, size);
     info->size = size;
     info->strands = 1;
     return LANCRET_OK;
 }
 
-lancret_status lancret_chunk_get_figures(const lancret_chunk *bound, int figure, size_t time,
+lancret_status lancret_chunk_get_figures(const lancret_chunk *chunk, int figure, size_t time,
                                      float *values) {
     lancret_u32 i;
     (void)figure;
     (void)time;
-    for (i = 0; i < kSegments; ++i) values[i] = 0.25f * (float)(1 + bound->post);
+    for (i = 0; i < kSegments; ++i) values[i] = 0.25f * (float)(1 + chunk->post);
     return LANCRET_OK;
 }
