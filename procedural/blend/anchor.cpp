@@ -6,32 +6,34 @@ namespace lancret {
 
 namespace {
 
-/// From one spine's direction to another's, by the smallest rotation. Where a spine all
-/// but vanishes, or the two are opposed, there is no such thing, and the rotation goes to
-/// none smoothly.
+/// The smallest rotation from one spine's direction to another's. It passes smoothly to
+/// no rotation as a spine vanishes or the two become opposed, for which it is not
+/// defined.
 template <class T>
 Turn<T> turn_of_spine(const Vec3T<T>& from, const Vec3T<T>& to) {
     constexpr T kNone = T(0.01);
     return {from.norm() * to.norm() + from.dot(to) + kNone, from.cross(to)};
 }
 
-/// The speed along a spine that brings its advance from |spine| to `advance`.
+/// The speed, along the spine and below 1, that changes its advance from |spine| to
+/// `advance`.
 ///
-/// Directions move as they do under a change of speed (relativistic aberration): (c + b)
-/// / (1 + c b) is the cosine c of the angle to it. That takes a helix of cosine c to the
-/// one of cosine a with b = (a - c) / (1 - a c), is conformal, and has no angle in it.
+/// Directions transform as under a change of speed b (relativistic aberration): a
+/// direction at an angle of cosine c to the velocity goes to (c + b) / (1 + c b). With
+/// b = (a - c) / (1 - a c), a helix of cosine c becomes one of cosine a. The map is
+/// conformal and needs no angles.
 template <class T>
 Vec3T<T> tilt_speed(const Vec3T<T>& spine, T advance) {
-    constexpr T kSoft = T(0.05);   // of a straight strand, which has no tilt to change
-    constexpr T kMax = T(0.33);    // a tilt half changes by a factor of 1.4 at most
-    constexpr T kShort = T(0.05);  // of a spine too short to have a direction
-    const T own = std::min<T>(spine.norm(), 1);
+    constexpr T kSoft = T(0.05);   // damps the tilt of a straight strand, which has none
+    constexpr T kMax = T(0.33);    // tan(tilt / 2) changes by a factor of at most 1.4
+    constexpr T kShort = T(0.05);  // damps the tilt about a spine without a direction
+    const T size = std::min<T>(spine.norm(), 1);
     const T speed =
-        std::clamp<T>((advance - own) / (1 - advance * own + kSoft), -kMax, kMax);
-    return spine * (speed / std::sqrt(own * own + kShort * kShort));
+        std::clamp<T>((advance - size) / (1 - advance * size + kSoft), -kMax, kMax);
+    return spine * (speed / std::sqrt(size * size + kShort * kShort));
 }
 
-/// The smallest rotation of a tangent to where the speed v takes it.
+/// The smallest rotation from a tangent to its image under the speed v.
 template <class T>
 Turn<T> tilted(const Vec3T<T>& tangent, const Vec3T<T>& v) {
     const T gamma = 1 / std::sqrt(1 - v.squaredNorm()), along = v.dot(tangent);
@@ -40,7 +42,7 @@ Turn<T> tilted(const Vec3T<T>& tangent, const Vec3T<T>& v) {
     return {1 + tangent.dot(to), tangent.cross(to)};
 }
 
-/// The spine that the guides ask for, in space, and its number of turns.
+/// The weighted mean of the guides' spines, in space, and of their turns.
 template <class T>
 Spine<T> goal_of(const Child<T>& child, const GuideProfiles<T>& guides,
                  std::span<const T> shares) {

@@ -1,15 +1,15 @@
 #pragma once
-// Anchoring: a strand turned so that its spine runs where its guides' spines run.
+// Anchoring: turning a strand so that its spine follows its guides' spines.
 
 #include "procedural/blend/blend.h"
 
 namespace lancret {
 
-/// A rotation as a quaternion of any length but zero.
+/// A rotation as a quaternion of any non-zero length.
 template <class T>
 struct Turn {
-    T cosine;       ///< times any number
-    Vec3T<T> sine;  ///< times the same number
+    T cosine;       ///< cosine of half the angle, up to a common factor
+    Vec3T<T> sine;  ///< axis times sine of half the angle, up to the same factor
 
     Mat3T<T> operator*(const Mat3T<T>& m) const {
         const T factor = 2 / (cosine * cosine + sine.squaredNorm());
@@ -22,25 +22,27 @@ struct Turn {
     }
 };
 
-/// What a strand is anchored by.
+/// The spines that anchor a strand.
 template <class T>
 struct Anchor {
-    Spine<T> own, goal;                    ///< of the strand and of its guides, in space
-    std::array<T, kSpineTerms> taper;      ///< of both
-    std::array<T, kMaxNeighbours> shares;  ///< [guides] w L over their sum: places
-                                           ///< blended at equal s / L move by w L T ds
+    Spine<T> own, goal;                ///< of the strand and of its guides, in space
+    std::array<T, kSpineTerms> taper;  ///< of both spines
+    std::array<T, kMaxNeighbours>
+        shares;  ///< [guides] w L over their sum, because places
+                 ///< at equal s / L advance by w L T d(s / L)
 };
+
+/// The anchor of a strand with these `states`, before it is turned.
 
 template <class T>
 Anchor<T> anchor_of(const Child<T>& child, const GuideProfiles<T>& guides,
                     std::span<const HelixState<T>> states);
 
-/// What happens to a frame at one place.
+/// The two rotations of a frame at one place.
 template <class T>
 struct AnchorTurns {
-    Vec3T<T>
-        tilt_speed;   ///< along the strand's spine, below 1: how the tangent is tilted
-    Turn<T> to_goal;  ///< from the strand's spine to that of the guides
+    Vec3T<T> tilt_speed;  ///< tilts the tangent; along the strand's spine, |v| < 1
+    Turn<T> to_goal;      ///< from the strand's spine to the guides'
 };
 
 template <class T>
@@ -48,14 +50,14 @@ AnchorTurns<T> turns_at(const Anchor<T>& anchor, const Child<T>& child,
                         const GuideProfiles<T>& guides, std::size_t place);
 
 /// Turns the frames of a synthesised strand so that its spine follows the spine of the
-/// child's guides, and moves the places after them. Two rotations at each place, both as
-/// smooth along the strand as the spines are, so that its own curvature and torsion stay
-/// nearly what they were:
-///   - the tangent is tilted about the spine so that the strand gets on as fast as its
-///     guides do;
-///   - the spine is turned into the direction of the guides'.
-/// A strand that is one of its guides, with all the weight, stays as it is. The length
-/// stays exact: between two frames there is one helix.
+/// child's guides, and recomputes its places from the frames. Two rotations act at each
+/// place; both vary as smoothly along the strand as the spines, so that the strand's own
+/// curvature and torsion hardly change:
+///   - the tangent is tilted about the spine so that the strand advances along its spine
+///     as fast as its guides;
+///   - the spine is turned into the direction of the guides' spine.
+/// A strand that copies a guide with weight 1 is unchanged. The length stays exact, as
+/// one helix connects two frames.
 template <class T>
 void anchor(const Child<T>& child, const GuideProfiles<T>& guides,
             std::span<HelixState<T>> states);

@@ -1,7 +1,6 @@
-// Bending in rotation-minimising frames [Bishop 1975]: (k1, k2) has no singularity where
-// a strand is straight and sums like a vector. The guides' frames are brought together at
-// the child's root, and what they say of each interval is summed by weight. Curls of
-// unlike phase cancel.
+// Blend bishop: the weighted sum of the guides' bends in rotation-minimising frames
+// [Bishop 1975]. (k1, k2) is a vector and has no singularity on straight parts. The
+// guides' frames are aligned at the child's root. Curls of different phase cancel.
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +15,14 @@ template <class T>
 Mat3T<T> root_frame_of(const Child<T>& child) {
     const std::size_t first =
         std::ranges::max_element(child.weights) - child.weights.begin();
-    const Mat3T<T>& own = child.to_space[first];
+    const Mat3T<T>& heaviest = child.to_space[first];
     Vec3T<T> tangent = Vec3T<T>::Zero();
     for (std::size_t k = 0; k < child.guides.size(); ++k) {
         tangent += child.weights[k] * child.to_space[k].col(0);
     }
     const T size = tangent.norm();
-    if (!(size > T(1e-5))) return own;
-    Mat3T<T> out = smallest_rotation<T>(own.col(0), tangent / size) * own;
+    if (!(size > T(1e-5))) return heaviest;
+    Mat3T<T> out = smallest_rotation<T>(heaviest.col(0), tangent / size) * heaviest;
     orthonormalize<T>(out);
     return out;
 }
@@ -35,8 +34,8 @@ void blend_bishop(const Child<T>& child, const GuideProfiles<T>& guides,
                   std::span<HelixState<T>> states) {
     const T ds = child.length / T(guides.count);
     HelixState<T> state{root_frame_of(child), Vec3T<T>::Zero()};
-    // A guide's root frame, swung onto the child's tangent, differs from the child's by a
-    // roll.
+    // A guide's root frame, swung onto the child's tangent, differs from the child's
+    // frame by a roll about it.
     Mat3T<T> weighted_roll[kMaxNeighbours];
     for (std::size_t k = 0; k < child.guides.size(); ++k) {
         const Mat3T<T> swung =
@@ -45,14 +44,14 @@ void blend_bishop(const Child<T>& child, const GuideProfiles<T>& guides,
         weighted_roll[k] = child.weights[k] * state.frame.transpose() * swung;
     }
     states[0] = state;
-    T twist = 0;  // of the frame from the one that does not
+    T twist = 0;  // of the frame against the rotation-minimising one
     for (int i = 0; i < guides.count; ++i) {
         Vec3T<T> u = Vec3T<T>::Zero();
         for (std::size_t k = 0; k < child.guides.size(); ++k) {
             u += weighted_roll[k] *
                  guides.bishop[std::size_t(child.guides[k]) * guides.count + i];
         }
-        // A helix is one in a frame that twists: the child's does by the mean twist.
+        // The curve is a helix in a twisting frame; the child's twists by the mean rate.
         const T middle = twist + u.x() * ds / 2;
         twist += u.x() * ds;
         advance<T>(state, Eigen::AngleAxis<T>(-middle, Vec3T<T>::UnitX()) * u, ds);

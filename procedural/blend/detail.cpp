@@ -1,5 +1,5 @@
-// The spine of all guides with the curl of the dominant one: its curvature and torsion,
-// in 1/cm at equal s / L, anchored to where the guides run.
+// Blend detail: the curvature and torsion of the heaviest guide, in 1/cm at equal s / L,
+// anchored to the mean spine of all guides.
 
 #include "procedural/blend/anchor.h"
 

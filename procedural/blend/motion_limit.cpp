@@ -10,7 +10,7 @@ namespace lancret {
 
 namespace {
 
-/// What the child's frames are made of at one time.
+/// The quantities that determine the child's frames at one time.
 struct Ingredients {
     std::vector<HelixState<double>> copy;  ///< of the heaviest guide
     std::vector<AnchorTurns<double>> turns;
@@ -45,8 +45,8 @@ double anchored_motion_limit(const AnchoredTimes& times) {
         largest = std::max(
             largest, 4.9 * alpha + 2.4 * speed + 2 * std::numbers::pi * apart / sizes);
     }
-    // A step of arc length follows the frame at its start and half of what its two ends
-    // turn by, one and a half times the largest at most.
+    // The direction of a step of arc length turns by at most the turn of the frame at its
+    // start and half the turns of both ends: 1.5 times the largest.
     return 2 * std::max(times.before.length, times.after.length) * largest;
 }
 

@@ -1,11 +1,11 @@
 #pragma once
-// How far an anchored child can move, from how far what it is made of does.
+// A limit on how far a child of blend detail moves between two times.
 
 #include "procedural/blend/blend.h"
 
 namespace lancret {
 
-/// A child between two times as `detail` sees it: its guides, at which places no matter.
+/// A child and its guides at two times.
 struct AnchoredTimes {
     const Child<double>& before;
     const Child<double>& after;
@@ -13,11 +13,11 @@ struct AnchoredTimes {
     const GuideProfiles<double>& profiles_after;
 };
 
-/// A bound, cm, on how far any place of the child that `detail` makes goes between the
-/// two times, from its root; docs/time.md derives it. It is made from the guides' frames
-/// and spines alone, without the child: with alpha the angle by which the frame of the
+/// An upper limit, cm, on the motion of any place of the child of blend detail between
+/// the two times, relative to its root; docs/time.md derives it. It follows from the
+/// guides' frames and spines only. Let alpha be the angle by which the frame of the
 /// heaviest guide's copy turns at a place, dv the change of the tilt's speed and q the
-/// quaternion from spine to spine, no frame of the child turns by more than
+/// quaternion from spine to spine. Then no frame of the child turns by more than
 ///     4.9 alpha + 2.4 |dv| + 2 pi |dq| / (|q| + |q'|),
 /// and no place moves by more than twice the length times the largest of these.
 double anchored_motion_limit(const AnchoredTimes& times);

@@ -1,5 +1,5 @@
-// The dominant guide's curvature and torsion, and nothing of the others but the length:
-// the other yardstick. The curl is a real one; the place is not.
+// Blend nearest, a baseline: the curvature and torsion of the heaviest guide, at the
+// child's blended length. The curl is that of a real strand; the position is not blended.
 
 #include <algorithm>
 

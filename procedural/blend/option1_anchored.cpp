@@ -1,5 +1,5 @@
-// Option 1's strand, anchored to where the guides run: what its curvature and torsion sum
-// up to no longer drifts.
+// Blend option1-anchored: the strand of option1, anchored to its guides' spine, so that
+// integrating its curvature and torsion no longer makes it drift.
 
 #include "procedural/blend/anchor.h"
 

@@ -1,8 +1,8 @@
-// The frames along the strand [TW99, Sec. 4.3, option 2]: the ordered exponentials U_k(s)
-// of the guides, each applied to its root frame, are summed by weight, and the sum is
-// projected back to a rotation. The frame is the material one (Frenet's has no meaning to
-// sum where a strand is straight). Curls of unlike phase average out, and the strand
-// straightens.
+// Blend option2: the frames along the strand [TW99, Sec. 4.3, option 2]. The ordered
+// exponentials U_k(s) of the guides, each applied to its root frame, are summed by
+// weight, and the sum is projected to the nearest rotation. The frames are the material
+// ones, as the Frenet frame is not defined on straight parts. Curls of different phase
+// average out, and the strand straightens.
 
 #include <Eigen/SVD>
 
@@ -12,11 +12,11 @@ namespace lancret {
 
 namespace {
 
-/// The rotation nearest to `sum` in the sum of squares; `before` where it has none.
+/// The rotation nearest to `sum` in the Frobenius norm; `before` if it is not unique.
 template <class T>
 Mat3T<T> nearest_rotation(const Mat3T<T>& sum, const Mat3T<T>& before) {
     const Eigen::JacobiSVD<Mat3T<T>> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    // One direction may be reflected away, but two must be told.
+    // One direction may vanish, but two must be determined.
     if (!(svd.singularValues()[1] > T(1e-5))) return before;
     Mat3T<T> u = svd.matrixU();
     if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) = -u.col(2);

@@ -1,8 +1,8 @@
-// What carries the root frame to a place [TW99, Sec. 4.3, option 3]: R_k(s) applied to
-// the root frame is the place seen from the root, so these are positions, turned from
-// guide to child. As the paper advises, the length that comes out is measured and the
-// whole strand rescaled to the length it should have; along it the arc length still runs
-// unevenly.
+// Blend option3: the operators R_k(s) that carry the root frame to a place [TW99,
+// Sec. 4.3, option 3]. R_k(s) applied to the root frame is the place relative to the
+// root, so this blends positions, turned from guide to child. As the paper advises, the
+// resulting length is measured and the whole strand rescaled to the intended length. Arc
+// length remains unevenly distributed along the strand.
 
 #include <cmath>
 
@@ -12,7 +12,8 @@ namespace lancret {
 
 namespace {
 
-/// The length of the circular arc over a chord whose ends point along two unit tangents.
+/// The length of the circular arc over `chord` with unit tangents `from` and `to` at its
+/// ends.
 template <class T>
 T arc_length(const Vec3T<T>& chord, const Vec3T<T>& from, const Vec3T<T>& to) {
     const T half_sine = std::min<T>((to - from).norm() / 2, 1);

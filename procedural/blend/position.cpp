@@ -1,5 +1,6 @@
-// Positions from the root, blended as they stand in space: what other generators do. The
-// strand comes out shorter than it should wherever its guides point apart.
+// Blend position, a baseline as used by other generators: the weighted mean of the
+// guides' positions relative to the root, in space. The strand is shorter than intended
+// where its guides diverge.
 
 #include "procedural/blend/blend.h"
 
@@ -9,7 +10,7 @@ template <class T>
 void blend_position(const Child<T>& child, const GuideProfiles<T>& guides,
                     std::span<HelixState<T>> states) {
     const std::size_t places = guides.count + 1;
-    // A groom may ask for longer or shorter children than their guides.
+    // The groom may scale children to be longer or shorter than their guides.
     T length = 0;
     for (std::size_t k = 0; k < child.guides.size(); ++k) {
         length += child.weights[k] * guides.lengths[child.guides[k]];

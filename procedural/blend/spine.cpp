@@ -4,7 +4,7 @@ namespace lancret {
 
 namespace {
 
-/// Legendre polynomials at x in [-1, 1].
+/// Legendre polynomials of degree 0 to 3 at x in [-1, 1].
 template <class T>
 std::array<T, kSpineTerms> legendre(double x) {
     std::array<double, kSpineTerms> p{1, x};
