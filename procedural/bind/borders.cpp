@@ -25,18 +25,18 @@ std::vector<std::uint32_t> map_regions(const RegionMap& map, const Scalp& scalp,
     return out;
 }
 
-/// The region of the strand that is nearest to each of `count` places.
+/// The region of the strand nearest to place_of(i), i = 0 .. count - 1.
 template <class PlaceOf>
 std::vector<std::uint32_t> nearest_regions(const Regions& regions,
                                            std::span<const Vec3> roots, std::size_t count,
                                            PlaceOf place_of) {
     std::vector<std::uint32_t> out(count);
-    const auto known =
+    const auto strands =
         regions.tree ? regions.tree : std::make_shared<const RootTree>(roots);
     cancellable_for(std::size_t(0), count, [&](std::size_t i) {
         std::uint32_t nearest = 0;
         double squared = 0;
-        known->tree.nearest(place_of(i), {&nearest, 1}, {&squared, 1});
+        strands->tree.nearest(place_of(i), {&nearest, 1}, {&squared, 1});
         out[i] = regions.strands[nearest];
     });
     return out;
@@ -54,9 +54,9 @@ Regions read_regions(const RegionSettings& settings, const std::string& name,
         out.tree = std::make_shared<RootTree>(roots);
     } else if (!settings.texture.empty()) {
         if (!scalp || scalp->mesh.uvs.empty()) {
-            throw InputError(fmt::format(
-                "{}: the texture of [regions] needs a scalp with UVs to lie on, and {}",
-                name, scalp ? "the scalp has none" : "there is no scalp"));
+            throw InputError(
+                fmt::format("{}: the texture of [regions] needs a scalp with UVs, but {}",
+                            name, scalp ? "the scalp has none" : "there is no scalp"));
         }
         out.map = read_region_map(settings.texture);
         out.strands = map_regions(*out.map, *scalp, roots);
@@ -97,8 +97,9 @@ std::size_t choose_for_regions(const Regions& regions, std::span<const Vec3> roo
     for (const std::uint32_t i : chosen) served.insert(regions.strands[i]);
     std::map<std::uint32_t, std::vector<std::uint32_t>> without;
     for (std::uint32_t i = 0; i < regions.strands.size(); ++i) {
-        if (!served.contains(regions.strands[i]))
+        if (!served.contains(regions.strands[i])) {
             without[regions.strands[i]].push_back(i);
+        }
     }
     for (const auto& [region, strands] : without) {
         Vec3 middle = Vec3::Zero();

@@ -6,7 +6,8 @@ namespace lancret {
 
 namespace {
 
-/// The guides of child i that have a weight, and their weights divided by their sum.
+/// Writes the guides of child i with a weight above 0, and their weights divided by the
+/// sum. Returns their number.
 template <class T>
 std::size_t normalized_weights(const Binding& binding, std::size_t i,
                                std::uint32_t* guides, T* weights) {

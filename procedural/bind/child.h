@@ -1,6 +1,6 @@
 #pragma once
-// One child of a binding: its guides and weights, as kernels and blends read them, and
-// its shape by the scalar blends.
+// One child of a binding: its guides and weights as the kernels and blends read them, and
+// its shape as the scalar blends compute it.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,19 +11,17 @@
 
 namespace lancret {
 
-/// A child's guides and weights, without the turns to its root.
+/// A child's guides and weights, without the rotations to its root.
 struct LightChild {
-    std::uint32_t guides[kMaxNeighbours];  ///< those with a weight
+    std::uint32_t guides[kMaxNeighbours];  ///< those with a weight above 0
     float weights[kMaxNeighbours];         ///< > 0, sum 1
     std::size_t count = 0;
-    std::size_t heaviest = 0;  ///< the first of them
+    std::size_t heaviest = 0;  ///< index of the first with the largest weight
 };
 
 LightChild light_child(const Binding& binding, std::size_t i);
 
-/// Child i as a blend reads it, with room for what it points to. `profiles` may be of any
-/// time; the turn from guide to child is that between the scalp's normals of the pose
-/// that the binding is in: that of rest, carried along, where the head moves rigidly.
+/// The arrays of a Child, owned.
 template <class T>
 struct BoundChild {
     std::uint32_t guides[kMaxNeighbours];
@@ -37,14 +35,17 @@ struct BoundChild {
     }
 };
 
+/// Child i as a blend reads it. `profiles` may be of any time. The rotation from guide to
+/// child is the smallest between the scalp's normals in the binding, which are in the
+/// pose of the binding.
 template <class T>
 BoundChild<T> bound_child(const Binding& binding, const GuideProfiles<T>& profiles,
                           std::size_t i);
 
-/// Child i by the scalar blends: profiles.count + 1 places at equal steps of arc length,
-/// positions relative to its root in cm. The same bits on every machine: whatever is
-/// decided once for all frames is decided by these, and the kernels are tested against
-/// them.
+/// Synthesises child i with the scalar blend: profiles.count + 1 places at equal steps of
+/// arc length, positions relative to its root in cm. The bits are the same on every
+/// machine, so decisions that hold for all frames are based on these states. The kernels
+/// are tested against them.
 template <class T>
 void synthesize_child(const Binding& binding, const GuideProfiles<T>& profiles,
                       Blend blend, std::size_t i, std::span<HelixState<T>> states);

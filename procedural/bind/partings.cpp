@@ -10,15 +10,15 @@ namespace {
 
 constexpr double kMaxPieces = 20000;
 
-/// How far above or below the line of sight a parting still counts, cm.
+/// The height above or below the line of sight from which a parting has no effect, cm.
 double height_limit(double length) { return 0.5 + 0.5 * length; }
 
-/// A line of sight of `length` cm along x, whose end is `rise` above its start.
+/// A line of sight of `length` cm along x, whose end is `rise` cm above its start.
 struct Line {
     double length, rise;
 
-    /// How much a parting at `x` along the line, `y` beside it and `z` above the child's
-    /// plane is in the way, 0 to 1.
+    /// How much of the line a parting blocks, 0 to 1: at `x` along the line, `y` beside
+    /// it and `z` above the child's plane.
     double blocked(double x, double y, double z) const {
         const double ends = std::min(x, length - x);
         if (!(ends > 0)) return 0;
@@ -60,7 +60,8 @@ Partings::Partings(std::span<const Polyline> lines) {
     for (const Polyline& line : lines) {
         const auto finite = [](const Vec3& p) { return p.allFinite(); };
         if (line.size() < 2 || !std::ranges::all_of(line, finite)) {
-            throw std::invalid_argument("Partings: two finite points or more expected");
+            throw std::invalid_argument(
+                "Partings: expected two or more finite points per line");
         }
     }
     for (const Polyline& line : divided(lines)) {
@@ -80,14 +81,14 @@ void Partings::seen_from(const Vec3& child, const Vec3& up, double radius,
                          std::vector<std::pair<std::uint32_t, double>>& scratch) const {
     seen.clear();
     if (pieces_.empty()) return;
-    // A place on a line of sight is within `radius` of the child, and what is in its way
-    // is beside it by half the slope's share of its length at most, and above or below it
-    // by no more than the limit.
+    // A point on a line of sight is within `radius` of the child. A piece that blocks it
+    // is beside it by at most kSightSlope / 2 of its length, and above or below it by at
+    // most the height limit.
     const double ball =
         radius * (1 + kSightSlope / 2) + height_limit(radius) + half_longest_;
     if (tree_->nearest_squared(child) > ball * ball) return;
     tree_->within(child, ball, scratch);
-    // The order of a search is its own; the largest of what is in the way is not.
+    // The order of the results is not defined, but `sight` takes their maximum.
     for (const auto& [piece, squared] : scratch) {
         seen.push_back({seen_place(child, up, pieces_[piece].first),
                         seen_place(child, up, pieces_[piece].second)});
@@ -118,9 +119,10 @@ double sight(const Vec3& guide, std::span<const SeenPiece> pieces) {
             blocked = std::max(blocked,
                                line.blocked(ax + t * (bx - ax), ay + t * (by - ay), z));
         };
-        // |y| over the width is a quotient of lines on each side of the middle: it is
-        // least at an end, in the middle, or where the piece crosses. How high the piece
-        // stands hardly changes along its quarter of a centimetre.
+        // On each side of the middle, |y| over the width is a quotient of linear
+        // functions: its minimum is at an end, in the middle, or where the piece crosses
+        // the line. The height of a piece hardly changes along its quarter of a
+        // centimetre.
         try_at(0);
         try_at(1);
         const double middle = length / 2;

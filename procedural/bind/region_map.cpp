@@ -16,9 +16,9 @@ namespace lancret {
 
 namespace {
 
-/// The texel that holds a coordinate; from 0 to 1 there is no doubt, beyond it repeats.
-int texel(double at, int size) {
-    const double part = at >= 0 && at <= 1 ? at : at - std::floor(at);
+/// The texel of a coordinate; the map repeats outside 0..1, where both ends are inside.
+int texel(double x, int size) {
+    const double part = x >= 0 && x <= 1 ? x : x - std::floor(x);
     return std::min(int(part * size), size - 1);
 }
 
@@ -29,17 +29,18 @@ RegionMap read_region_map(const std::filesystem::path& path) {
         return InputError(fmt::format("{}: {}", path.string(), why));
     };
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) throw fail("no such picture");
+    if (!std::filesystem::is_regular_file(path, ignored))
+        throw fail("there is no such image");
     OIIO::ImageSpec as_stored;
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(path.string(), &as_stored);
-    if (!input) throw fail("not a picture that can be read: " + OIIO::geterror());
+    if (!input) throw fail("not a readable image: " + OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
     constexpr std::int64_t kMaxTexels = std::int64_t(1) << 26;
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 ||
         std::int64_t(spec.width) * spec.height > kMaxTexels) {
         throw fail(
-            fmt::format("a picture of {} x {} x {} with {} channels, expected a "
+            fmt::format("an image of {} x {} x {} with {} channels, expected a "
                         "flat one of at most 2^26 texels",
                         spec.width, spec.height, spec.depth, spec.nchannels));
     }
@@ -48,7 +49,7 @@ RegionMap read_region_map(const std::filesystem::path& path) {
     const std::size_t size = std::size_t(map.width) * std::size_t(map.height);
     std::vector<std::uint8_t> values(size * std::size_t(channels));
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, values.data())) {
-        throw fail("broken picture: " + input->geterror());
+        throw fail("broken image: " + input->geterror());
     }
     std::unordered_map<std::uint32_t, std::uint32_t> numbers;
     map.regions.resize(size);
@@ -62,7 +63,7 @@ RegionMap read_region_map(const std::filesystem::path& path) {
         if (numbers.size() > kMaxRegions) {
             throw fail(
                 fmt::format("more than {} colours, each of which would be a region: "
-                            "expected flat colours, without noise and soft borders",
+                            "expected flat colours without noise or soft borders",
                             kMaxRegions));
         }
     }
@@ -98,14 +99,13 @@ std::vector<std::uint32_t> read_region_ids(const std::filesystem::path& path,
         const auto [stop, error] = std::from_chars(word.data(), end, id);
         if (error != std::errc() || stop != end) {
             throw InputError(
-                fmt::format("{}:{}: '{}' is no region, expected a whole "
+                fmt::format("{}:{}: '{}' is not a region, expected a whole "
                             "number from 0 to 4294967295",
                             path.string(), line, word.substr(0, 40)));
         }
         if (out.size() == strands) {
             throw InputError(
-                fmt::format("{}:{}: one region more than the {} strands of "
-                            "the groom",
+                fmt::format("{}:{}: more regions than the {} strands of the groom",
                             path.string(), line, strands));
         }
         out.push_back(id);

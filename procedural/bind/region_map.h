@@ -1,6 +1,6 @@
 #pragma once
-// Regions of a scalp: painted as a map, or told strand by strand. The only file of this
-// folder that knows OpenImageIO.
+// Regions of a scalp: a painted map, or one number per strand. The only file of this
+// folder that uses OpenImageIO.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,30 +10,30 @@
 
 namespace lancret {
 
-/// The most colours that a painted map may have.
+/// Maximum number of colours in a painted map.
 inline constexpr std::size_t kMaxRegions = 4096;
 
-/// A painted map: each colour is a region, numbered from 0 in the order in which they
-/// are met, row by row from the top.
+/// A painted map: each colour is a region, numbered from 0 in order of first occurrence,
+/// row by row from the top.
 struct RegionMap {
     int width = 0, height = 0;
     std::vector<std::uint32_t> regions;  ///< [width * height]
-    std::size_t count = 0;               ///< how many there are
+    std::size_t count = 0;               ///< number of regions
 };
 
-/// Reads a picture whose colours are regions. Colours are told apart by their 8 bits a
-/// channel, alpha among them; nothing is filtered. Throws InputError that names the path:
-/// where it cannot be read, and where it has more than kMaxRegions colours, as a picture
-/// with noise or soft borders would.
+/// Reads an image whose colours are regions. Colours are compared with 8 bits per
+/// channel, including alpha, without filtering. Throws InputError, which names the path,
+/// if the image cannot be read, or if it has more than kMaxRegions colours, as an image
+/// with noise or soft borders has.
 RegionMap read_region_map(const std::filesystem::path& path);
 
-/// The region of the texel that holds `uv`: u to the right, v upwards from the bottom
-/// row. Beyond 0..1 the map repeats.
+/// The region of the texel at `uv`: u to the right, v upwards from the bottom row. The
+/// map repeats outside 0..1.
 std::uint32_t region_at(const RegionMap& map, const Vec2& uv);
 
-/// Reads the region of each strand: a text of `strands` whole numbers from 0 to 2^32 - 1,
-/// a line each, with nothing else but spaces, and comments from # to the end of a line.
-/// Lines without a number are passed over. Throws InputError that names the line.
+/// Reads the region of each strand from a text file: `strands` whole numbers from 0 to
+/// 2^32 - 1, one per line. Spaces, empty lines and comments from # to the end of a line
+/// are ignored. Throws InputError, which names path and line.
 std::vector<std::uint32_t> read_region_ids(const std::filesystem::path& path,
                                            std::size_t strands);
 

@@ -39,8 +39,8 @@ WeightSource guide_weights(std::span<const double> distances,
         weights[first] = 1;
         return WeightSource::facing;
     }
-    // Relative to the nearest, so that no power of a small distance overflows. Where all
-    // are as far as the reach, they differ by their facing alone.
+    // Relative to the nearest, so that no power of a small distance overflows. If all are
+    // as far as the reach, only their facing distinguishes them.
     const bool even = nearest >= reach * (1 - 1e-9);
     double sum = 0, faced = 0;
     std::array<double, kMaxCandidates> raw;

@@ -54,7 +54,7 @@ enum class BlendRates {
 /// Which vector kernel grows a blend's strands; `none`: the blend function does.
 enum class BlendKernel { none, curl, position };
 
-/// All that other code needs to know of a blend.
+/// The properties of a blend that other code depends on.
 struct BlendTraits {
     Blend blend;
     std::string_view name;

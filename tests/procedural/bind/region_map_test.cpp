@@ -73,9 +73,9 @@ TEST(RegionMap, RefusesMoreColoursThanAnybodyPaints) {
 TEST(RegionMap, RefusesWhatIsNoPicture) {
     const TemporaryFolder folder;
     EXPECT_THAT(error_of([&] { read_region_map(folder / "none.png"); }),
-                HasSubstr("none.png: no such picture"));
+                HasSubstr("none.png: there is no such image"));
     EXPECT_THAT(error_of([&] { read_region_map(folder / "."); }),
-                HasSubstr("no such picture"));
+                HasSubstr("there is no such image"));
     std::ofstream(folder / "text.png") << "this is no picture";
     EXPECT_THAT(error_of([&] { read_region_map(folder / "text.png"); }),
                 HasSubstr("text.png: not a picture"));
@@ -100,7 +100,7 @@ TEST(RegionIds, NameTheLineThatIsWrong) {
     EXPECT_THAT(error("4294967296\n"), HasSubstr("ids.txt:1: "));
     EXPECT_THAT(error("1\n2\n"), HasSubstr("ids.txt:3: the file ends after 2"));
     EXPECT_THAT(error("1\n2\n3\n4\n"),
-                HasSubstr("ids.txt:4: one region more than the 3"));
+                HasSubstr("ids.txt:4: more regions than the 3"));
     EXPECT_THAT(error(""), HasSubstr("the file ends after 0"));
     EXPECT_THAT(error_of([&] { read_region_ids(folder / "none.txt", 3); }),
                 HasSubstr("none.txt: cannot be opened"));
