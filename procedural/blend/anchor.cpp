@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "procedural/blend/anchor_constants.h"
+
 namespace lancret {
 
 namespace {
@@ -11,8 +13,8 @@ namespace {
 /// defined.
 template <class T>
 Turn<T> turn_of_spine(const Vec3T<T>& from, const Vec3T<T>& to) {
-    constexpr T kNone = T(0.01);
-    return {from.norm() * to.norm() + from.dot(to) + kNone, from.cross(to)};
+    using anchoring::kNone;
+    return {from.norm() * to.norm() + from.dot(to) + kNone<T>, from.cross(to)};
 }
 
 /// The speed, along the spine and below 1, that changes its advance from |spine| to
@@ -24,13 +26,11 @@ Turn<T> turn_of_spine(const Vec3T<T>& from, const Vec3T<T>& to) {
 /// conformal and needs no angles.
 template <class T>
 Vec3T<T> tilt_speed(const Vec3T<T>& spine, T advance) {
-    constexpr T kSoft = T(0.05);   // damps the tilt of a straight strand, which has none
-    constexpr T kMax = T(0.33);    // tan(tilt / 2) changes by a factor of at most 1.4
-    constexpr T kShort = T(0.05);  // damps the tilt about a spine without a direction
+    using anchoring::kMaxSpeed, anchoring::kShort, anchoring::kSoft;
     const T size = std::min<T>(spine.norm(), 1);
-    const T speed =
-        std::clamp<T>((advance - size) / (1 - advance * size + kSoft), -kMax, kMax);
-    return spine * (speed / std::sqrt(size * size + kShort * kShort));
+    const T speed = std::clamp<T>((advance - size) / (1 - advance * size + kSoft<T>),
+                                  -kMaxSpeed<T>, kMaxSpeed<T>);
+    return spine * (speed / std::sqrt(size * size + kShort<T> * kShort<T>));
 }
 
 /// The smallest rotation from a tangent to its image under the speed v.

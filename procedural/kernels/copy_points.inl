@@ -1,5 +1,5 @@
 // Included once for each instruction set: no #pragma once.
-// Copies control points of a strand from a small buffer to where they are wanted.
+// Copies the control points of a strand from a small buffer to their destination.
 
 #if defined(LANCRET_COPY_POINTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LANCRET_COPY_POINTS_INL
@@ -13,8 +13,8 @@ namespace lancret::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// `count` points that stand `stride` floats apart in `from`, side by side to `to`; both
-/// are aligned to 16 bytes. With `past_caches` the stores stream.
+/// Copies `count` points, `stride` floats apart in `from`, to consecutive points at `to`;
+/// both are aligned to 16 bytes. With `past_caches` the stores bypass the caches.
 HWY_INLINE void copy_points(const float* from, std::size_t stride, std::size_t count,
                             Point4f* to, bool past_caches) {
 #if HWY_TARGET == HWY_SCALAR
@@ -24,14 +24,14 @@ HWY_INLINE void copy_points(const float* from, std::size_t stride, std::size_t c
     }
 #else
     const hn::FixedTag<float, 4> four;
-    float* at = &to->x;
+    float* out = &to->x;
     if (past_caches) {
         for (std::size_t j = 0; j < count; ++j) {
-            hn::Stream(hn::Load(four, from + j * stride), four, at + 4 * j);
+            hn::Stream(hn::Load(four, from + j * stride), four, out + 4 * j);
         }
     } else {
         for (std::size_t j = 0; j < count; ++j) {
-            hn::Store(hn::Load(four, from + j * stride), four, at + 4 * j);
+            hn::Store(hn::Load(four, from + j * stride), four, out + 4 * j);
         }
     }
 #endif

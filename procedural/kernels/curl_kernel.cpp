@@ -1,4 +1,4 @@
-// Blends that go along curvatures, a strand in each lane.
+// The curl kernel: blends that integrate curvature and torsion, a strand in each lane.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "procedural/kernels/curl_kernel.cpp"
@@ -11,10 +11,11 @@
 #include <cmath>
 
 #include "procedural/bind/child.h"
+#include "procedural/blend/anchor_constants.h"
 #include "procedural/blend/option1_constants.h"
 #include "procedural/kernels/curl_kernel.h"
 #include "procedural/kernels/strand_batch.h"
-// after what they use, each after the other
+// each .inl uses those before it
 #include "procedural/kernels/copy_points.inl"
 //
 #include "procedural/kernels/lane_math.inl"
@@ -30,26 +31,26 @@
 HWY_BEFORE_NAMESPACE();
 namespace lancret::HWY_NAMESPACE {
 
-/// Children [first, first + used), in frames and places.
+/// Synthesises children [first, first + used) to the batch's frames and places.
 void synthesize(const KernelInput& in, std::size_t first, std::size_t used,
                 StrandBatch& batch) {
     const BlendTraits& traits = traits_of(in.blend);
     const bool with_anchor = traits.anchored;
-    const bool own_rates = traits.rates == BlendRates::blended;
-    fill_batch(in, first, used, with_anchor, own_rates, batch);
-    store4(lanes_start(batch, own_rates), batch.frames.get());
-    LanesSpine own = walk(in, with_anchor, batch);
+    const bool blends_rates = traits.rates == BlendRates::blended;
+    fill_batch(in, first, used, with_anchor, blends_rates, batch);
+    store4(lanes_start(batch, blends_rates), batch.frames.get());
+    LanesSpine spine = integrate(in, with_anchor, batch);
     if (with_anchor) {
         const LanesGoal goal = lanes_goal(batch);
         for (int j = 2; j < kSpineTerms; ++j) {
-            own.terms[j] = times(goal.taper[j], own.terms[j]);
+            spine.terms[j] = times(goal.taper[j], spine.terms[j]);
         }
-        anchor_frames(in, own, goal.spine, batch);
+        anchor_frames(in, spine, goal.spine, batch);
     }
-    put_places(batch);
+    set_places(batch);
 }
 
-/// B-spline control points of every lane to `points`: bspline_points.
+/// Writes the B-spline control points of all lanes to `points`, as bspline_points does.
 void spline_points(const KernelInput& in, StrandBatch& batch) {
     const D d;
     const std::size_t n = batch.intervals, row = 3 * hn::Lanes(d);
@@ -64,32 +65,33 @@ void spline_points(const KernelInput& in, StrandBatch& batch) {
         const Lanes3 outer = (place(i - 2) - p) + (place(i + 2) - p);
         return times_plus(set(1 / 36.0f), times_plus(set(-10), inner, outer), p);
     };
-    const auto put = [&](std::size_t j, const Lanes3& p) {
-        const Lanes3 at = root + p;
+    const auto store = [&](std::size_t j, const Lanes3& p) {
+        const Lanes3 c = root + p;
         const V radius =
             hn::Mul(width, set(radius_of(in.taper, std::ptrdiff_t(j) - 1, n)));
-        hn::StoreInterleaved4(at.x, at.y, at.z, radius, d,
+        hn::StoreInterleaved4(c.x, c.y, c.z, radius, d,
                               &batch.points[j * 4 * hn::Lanes(d)]);
     };
-    // The curve is at (c[-1] + 4 c[0] + c[1]) / 6 where it begins, and so where it ends.
+    // The curve begins at (c[-1] + 4 c[0] + c[1]) / 6, and ends likewise.
     const auto outermost = [&](std::size_t end, const Lanes3& at_end,
                                const Lanes3& next) {
         return times_plus(set(6), place(end),
                           times_plus(set(-4), at_end, times(set(-1), next)));
     };
     Lanes3 before = smoothed(0), now = smoothed(1);
-    put(0, outermost(0, before, now));
-    put(1, before);
-    put(2, now);
+    store(0, outermost(0, before, now));
+    store(1, before);
+    store(2, now);
     for (std::size_t i = 2; i <= n; ++i) {
         before = now;
         now = smoothed(i);
-        put(i + 1, now);
+        store(i + 1, now);
     }
-    put(n + 2, outermost(n, now, before));
+    store(n + 2, outermost(n, now, before));
 }
 
-/// Places, or tangents times ds, of every lane to `points`: hermite_points.
+/// Writes the places, or the tangents times ds, of all lanes to `points`, as
+/// hermite_points does.
 void hermite_row(const KernelInput& in, bool tangents, StrandBatch& batch) {
     const D d;
     const std::size_t n = batch.intervals, lanes = hn::Lanes(d);
@@ -107,7 +109,7 @@ void hermite_row(const KernelInput& in, bool tangents, StrandBatch& batch) {
     }
 }
 
-/// What was written to `points`, strand by strand to where it goes.
+/// Copies the strands in `points` to their destination.
 void copy_strands(const StrandBatch& batch, std::size_t used, std::size_t count,
                   Point4f* to, bool past_caches) {
     const std::size_t lanes = hn::Lanes(D());
@@ -116,8 +118,9 @@ void copy_strands(const StrandBatch& batch, std::size_t used, std::size_t count,
     }
 }
 
-void expand_alone(const KernelInput& in, std::size_t i, Point4f* points,
-                  Point4f* tangents) {
+/// Writes the control points of child i with the scalar blend.
+void expand_scalar(const KernelInput& in, std::size_t i, Point4f* points,
+                   Point4f* tangents) {
     const std::size_t n = in.guides.count;
     std::vector<HelixState<float>> states(n + 1);
     synthesize_child<float>(in.binding, in.profiles, in.blend, i, states);
@@ -151,8 +154,8 @@ void ExpandCurls(const KernelInput& in, const KernelOutput& out) {
         for (std::size_t lane = 0; lane < used; ++lane) {
             if (!batch.scalar[lane]) continue;
             if (out.past_caches) hwy::FlushStream();
-            expand_alone(in, out.first + s + lane, points + lane * count,
-                         out.tangents ? out.tangents + (s + lane) * count : nullptr);
+            expand_scalar(in, out.first + s + lane, points + lane * count,
+                          out.tangents ? out.tangents + (s + lane) * count : nullptr);
         }
     }
     if (out.past_caches) hwy::FlushStream();
@@ -166,21 +169,21 @@ void SynthesizeCurls(const KernelInput& in, std::size_t first, std::size_t count
         const std::size_t used = std::min(lanes, count - s);
         synthesize(in, first + s, used, batch);
         for (std::size_t lane = 0; lane < used; ++lane) {
-            const auto own = states.subspan((s + lane) * places, places);
+            const auto out = states.subspan((s + lane) * places, places);
             if (batch.scalar[lane]) {
                 synthesize_child<float>(in.binding, in.profiles, in.blend,
-                                        first + s + lane, own);
+                                        first + s + lane, out);
                 continue;
             }
             for (std::size_t i = 0; i < places; ++i) {
                 const float* q = &batch.frames[i * 4 * lanes + lane];
                 const float* p = &batch.places[(i + 2) * 3 * lanes + lane];
-                own[i].frame =
+                out[i].frame =
                     Eigen::Quaterniond(q[0], q[lanes], q[2 * lanes], q[3 * lanes])
-                        .normalized()  // the same rotation, at whatever length
+                        .normalized()
                         .toRotationMatrix()
                         .cast<float>();
-                own[i].position = {p[0], p[lanes], p[2 * lanes]};
+                out[i].position = {p[0], p[lanes], p[2 * lanes]};
             }
         }
     }

@@ -4,10 +4,10 @@
 
 namespace lancret {
 
-/// Control points of children, for blends that go along curvatures.
+/// Writes the control points of children, for blends with BlendKernel::curl.
 void expand_curls(const KernelInput& in, const KernelOutput& out);
 
-/// Their frames and places: synthesize_strands.
+/// Writes their frames and places: see synthesize_strands.
 void synthesize_curls(const KernelInput& in, std::size_t first, std::size_t count,
                       std::span<HelixState<float>> states);
 

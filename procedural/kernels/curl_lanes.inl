@@ -1,6 +1,6 @@
 // Included once for each instruction set: no #pragma once.
-// Strands along their curvatures, anchored where the blend asks for it: the templates
-// blend_nearest and anchor, lane by lane.
+// Strands integrated along their curvatures, and anchored if the blend is: the templates
+// blend_nearest and anchor, a strand in each lane.
 
 #if defined(LANCRET_CURL_LANES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LANCRET_CURL_LANES_INL
@@ -36,12 +36,12 @@ HWY_INLINE void store4(const Lanes4& q, float* rows) {
     store3(q.v, rows + hn::Lanes(d));
 }
 
-/// The vectors of a spine, the taper in them.
+/// The coefficients of a spine, multiplied by the taper.
 struct LanesSpine {
     Lanes3 terms[kSpineTerms];
 };
 
-/// The spine's vector at a place, by the polynomials there.
+/// The spine's vector at a place with the polynomials `basis`.
 HWY_INLINE Lanes3 at_place(const LanesSpine& spine,
                            const std::array<float, kSpineTerms>& basis) {
     Lanes3 sum = spine.terms[0];
@@ -51,7 +51,7 @@ HWY_INLINE Lanes3 at_place(const LanesSpine& spine,
     return sum;
 }
 
-/// The guides' spine and how much its degrees count: goal_of and spine_taper.
+/// The guides' spine and its taper, as goal_of and spine_taper return them.
 struct LanesGoal {
     LanesSpine spine;
     V taper[kSpineTerms];
@@ -69,7 +69,7 @@ HWY_INLINE LanesGoal lanes_goal(const StrandBatch& batch) {
         const V share = hn::Load(d, batch.shares[k]);
         const Lanes3 from = load3(&record[0][0], kMaxLanes);
         turns = hn::MulAdd(share, hn::Load(d, record[3]), turns);
-        // The smallest rotation from `from` to `up`, on each term.
+        // The smallest rotation from `from` to `up`, applied to each term.
         const V cosine = dot(from, up);
         const Lanes3 axis = cross(from, up);
         const V inverse = hn::Div(set(1), hn::Add(set(1), cosine));
@@ -89,26 +89,29 @@ HWY_INLINE LanesGoal lanes_goal(const StrandBatch& batch) {
     return out;
 }
 
-/// The frame at the root: of the child itself, or the heaviest guide's, turned to it.
-HWY_INLINE Lanes4 lanes_start(const StrandBatch& batch, bool own) {
+/// The frame at the root: the child's, or if not `blended` the heaviest guide's, turned
+/// to the child's normal.
+HWY_INLINE Lanes4 lanes_start(const StrandBatch& batch, bool blended) {
     const Lanes4 start{hn::Load(D(), batch.start[0]),
                        load3(&batch.start[1][0], kMaxLanes)};
-    if (own) return start;
+    if (blended) return start;
     const Lanes3 from = load3(batch.start_normal), up = load3(batch.normal);
     const Lanes4 turn{hn::Add(set(1), dot(from, up)), cross(from, up)};
     return normalized(product(turn, start));
 }
 
-/// Frames along the curvatures, to `frames`; the sum of the chords times the polynomials
-/// in the intervals' middles is the strand's own spine, over the length.
-HWY_INLINE LanesSpine walk(const KernelInput& in, bool with_spine, StrandBatch& batch) {
+/// Integrates the curvatures from the first frame; writes `frames`. Returns the strand's
+/// spine if `with_spine`: the sum over the intervals of the chords over the length, times
+/// the polynomials in the middle.
+HWY_INLINE LanesSpine integrate(const KernelInput& in, bool with_spine,
+                                StrandBatch& batch) {
     const D d;
     const std::size_t n = batch.intervals, lanes = hn::Lanes(d);
     const V share = set(1 / float(n));
     const V ds = hn::Mul(hn::Load(d, batch.length), share);
     const V zero = hn::Zero(d);
-    LanesSpine own;
-    for (Lanes3& term : own.terms) term = {zero, zero, zero};
+    LanesSpine spine;
+    for (Lanes3& term : spine.terms) term = {zero, zero, zero};
     Lanes4 q = load4(batch.frames.get());
     for (std::size_t i = 0; i < n; ++i) {
         const Lanes3 u = load3(&batch.curvatures[i * lanes], batch.stride * lanes);
@@ -116,31 +119,33 @@ HWY_INLINE LanesSpine walk(const KernelInput& in, bool with_spine, StrandBatch& 
         if (with_spine) {
             const Lanes3 chord = times(share, rotated(q, step.displacement));
             for (std::size_t j = 0; j < kSpineTerms; ++j) {
-                own.terms[j] = times_plus(set(in.profiles.basis.in_middles[i][j]), chord,
-                                          own.terms[j]);
+                spine.terms[j] = times_plus(set(in.profiles.basis.in_middles[i][j]),
+                                            chord, spine.terms[j]);
             }
         }
         q = renormalized(product(q, step.turn));
         store4(q, &batch.frames[(i + 1) * 4 * lanes]);
     }
-    return own;
+    return spine;
 }
 
-/// q as `anchor` turns it: tilted towards the advance, then from its own spine to the
-/// guides'.
+/// The frame q turned as `anchor` turns it: tilted to reach `advance`, then turned from
+/// the strand's spine `from` to the guides' spine `to`.
 HWY_INLINE Lanes4 anchored(const Lanes4& q, const Lanes3& from, const Lanes3& to,
                            V advance) {
     // As in tilt_speed and turn_of_spine.
-    constexpr float kNone = 0.01f, kSoft = 0.05f, kMax = 0.33f, kShort = 0.05f;
-    const V own2 = dot(from, from), length = hn::Sqrt(own2);
-    const V own = hn::Min(length, set(1));
-    const V below = hn::Add(hn::NegMulAdd(advance, own, set(1)), set(kSoft));
-    const V most = hn::Mul(set(kMax), below);
-    const V speed = hn::Min(hn::Max(hn::Sub(advance, own), hn::Neg(most)), most);
-    const V size = hn::Sqrt(hn::MulAdd(own, own, set(kShort * kShort)));
-    const Lanes3 v = times(hn::Div(speed, hn::Mul(below, size)), from);
-    // With s = sqrt(1 - v^2) and a = v.T the smallest rotation from T to where v takes it
-    // is the quaternion (1 + s + a, T x v), of any length.
+    constexpr float kNone = anchoring::kNone<float>, kSoft = anchoring::kSoft<float>,
+                    kMaxSpeed = anchoring::kMaxSpeed<float>,
+                    kShort = anchoring::kShort<float>;
+    const V length2 = dot(from, from), length = hn::Sqrt(length2);
+    const V size = hn::Min(length, set(1));
+    const V below = hn::Add(hn::NegMulAdd(advance, size, set(1)), set(kSoft));
+    const V limit = hn::Mul(set(kMaxSpeed), below);
+    const V above = hn::Min(hn::Max(hn::Sub(advance, size), hn::Neg(limit)), limit);
+    const V softened = hn::Sqrt(hn::MulAdd(size, size, set(kShort * kShort)));
+    const Lanes3 v = times(hn::Div(above, hn::Mul(below, softened)), from);
+    // With s = sqrt(1 - v^2) and a = v.T, the smallest rotation from T to its image under
+    // the speed v is the quaternion (1 + s + a, T x v), of any length.
     const Lanes3 tangent = first_axis(q);
     const V s = hn::Sqrt(hn::Sub(set(1), dot(v, v)));
     const Lanes4 tilt{hn::Add(hn::Add(set(1), s), dot(v, tangent)), cross(tangent, v)};
@@ -149,21 +154,21 @@ HWY_INLINE Lanes4 anchored(const Lanes4& q, const Lanes3& from, const Lanes3& to
     return normalized(product(turn, product(tilt, q)));
 }
 
-/// Turns the frames from their own spine onto the goal.
-HWY_INLINE void anchor_frames(const KernelInput& in, const LanesSpine& own,
+/// Turns the frames from the strand's spine to the guides'.
+HWY_INLINE void anchor_frames(const KernelInput& in, const LanesSpine& spine,
                               const LanesSpine& goal, StrandBatch& batch) {
     const std::size_t lanes = hn::Lanes(D());
     for (std::size_t i = 0; i <= batch.intervals; ++i) {
         float* const frame = &batch.frames[i * 4 * lanes];
         const auto& basis = in.profiles.basis.at_places[i];
-        store4(anchored(load4(frame), at_place(own, basis), at_place(goal, basis),
+        store4(anchored(load4(frame), at_place(spine, basis), at_place(goal, basis),
                         hn::Load(D(), &batch.advances[i * lanes])),
                frame);
     }
 }
 
-/// Puts the places between the frames; two more beyond either end.
-HWY_INLINE void put_places(StrandBatch& batch) {
+/// Computes the places from the frames, and two more beyond each end.
+HWY_INLINE void set_places(StrandBatch& batch) {
     const D d;
     const std::size_t n = batch.intervals, lanes = hn::Lanes(d);
     const V ds = hn::Mul(hn::Load(d, batch.length), set(1 / float(n)));
@@ -176,7 +181,7 @@ HWY_INLINE void put_places(StrandBatch& batch) {
         float* const frame = &batch.frames[i * 4 * lanes];
         Lanes4 q = load4(frame);
         if (i > 0) {
-            // q and -q are one rotation: the nearer one.
+            // q and -q are one rotation; take the one nearer to the frame before.
             const V cosine = dot(before, q);
             q = times(hn::CopySignToAbs(set(1), cosine), q);
             helix = lanes_between(before, q, hn::Abs(cosine));

@@ -1,5 +1,5 @@
 // Included once for each instruction set: no #pragma once.
-// From the binding to a strand in each lane.
+// Fills a batch from the binding, a strand in each lane.
 
 #if defined(LANCRET_FILL_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LANCRET_FILL_BATCH_INL
@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lancret::HWY_NAMESPACE {
 
-/// A lane's shares of its guides, their records, and their advances, summed.
+/// Writes a lane's shares of its guides, their records, and the mean of their advances.
 HWY_INLINE void fill_guides(const KernelGuides& guides,
                             const GuideProfiles<float>& profiles, std::size_t lane,
                             StrandBatch& batch) {
@@ -39,9 +39,10 @@ HWY_INLINE void fill_guides(const KernelGuides& guides,
     }
 }
 
-/// Children [first, first + used) in the first lanes; the last of them in the others too.
+/// Fills the first lanes with children [first, first + used), and the rest with the last
+/// of them.
 HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t used,
-                           bool with_anchor, bool own_rates, StrandBatch& batch) {
+                           bool with_anchor, bool blends_rates, StrandBatch& batch) {
     static_assert(sizeof(GuideRecord) == 16 * sizeof(float));
     const Binding& binding = in.binding;
     const std::size_t lanes = hn::Lanes(D());
@@ -67,17 +68,18 @@ HWY_INLINE void fill_batch(const KernelInput& in, std::size_t first, std::size_t
         curvatures[lane] = &in.guides.curvatures[heaviest * 3 * batch.stride];
         const float ds = binding.lengths[i] / float(batch.intervals);
         const float max_turn = with_anchor ? kMaxTurnAnchored : kMaxTurnAlone;
-        bool scalar = !own_rates && !(in.guides.most_curved[heaviest] * ds <= max_turn);
+        bool scalar =
+            !blends_rates && !(in.guides.most_curved[heaviest] * ds <= max_turn);
         for (std::size_t k = 0; k < child.count; ++k) {
             const Vec3f& normal = binding.guide_normals[child.guides[k]];
             scalar = scalar || !(normal.dot(up) >= kOpposedCosine);
         }
         batch.scalar[lane] = scalar;
-        if (own_rates) fill_option1(in, i, lane, max_turn, batch);
+        if (blends_rates) fill_option1(in, i, lane, max_turn, batch);
         if (with_anchor) fill_guides(in.guides, in.profiles, lane, batch);
     }
     const std::size_t n = batch.intervals, stride = batch.stride;
-    if (own_rates) {
+    if (blends_rates) {
         sum_joints(in, batch);
     } else {
         for (int axis = 0; axis < 3; ++axis) {

@@ -10,11 +10,9 @@ namespace lancret {
 
 namespace {
 
-/// Floats of the longest vector that a kernel may use.
-constexpr std::size_t kLongest = 16;
-
+/// Rounded up to a whole number of the longest vectors.
 std::size_t padded(std::size_t size) {
-    return (size + kLongest - 1) / kLongest * kLongest;
+    return (size + kMaxLanes - 1) / kMaxLanes * kMaxLanes;
 }
 
 Buffer<float> zeros(std::size_t size) {
@@ -23,8 +21,8 @@ Buffer<float> zeros(std::size_t size) {
     return out;
 }
 
-/// Control points of guide g from its root, in space: what bspline_points makes of it
-/// with parabolas beyond its ends, in double precision until they are kept.
+/// Writes the control points of guide g, as bspline_points computes them with
+/// Ends::parabola, but in double precision until they are stored.
 void write_points(const GuideProfiles<float>& profiles, std::size_t g,
                   KernelGuides& out) {
     const std::ptrdiff_t n = profiles.count;
@@ -32,14 +30,14 @@ void write_points(const GuideProfiles<float>& profiles, std::size_t g,
     for (std::ptrdiff_t i = 0; i <= n; ++i) {
         places[i + 2] = profiles.position(g, i).cast<double>();
     }
-    const auto go_beyond = [&](std::ptrdiff_t end, std::ptrdiff_t way) {
-        const Vec3 *const at = &places[end + 2], a = at[way] - at[0];
-        const Vec3 b = n > 1 ? Vec3(at[2 * way] - at[way]) : a;
-        places[end + 2 - way] = at[0] - 2 * a + b;
-        places[end + 2 - 2 * way] = at[0] - 5 * a + 3 * b;
+    const auto extend = [&](std::ptrdiff_t end, std::ptrdiff_t way) {
+        const Vec3 *const last = &places[end + 2], a = last[way] - last[0];
+        const Vec3 b = n > 1 ? Vec3(last[2 * way] - last[way]) : a;
+        places[end + 2 - way] = last[0] - 2 * a + b;
+        places[end + 2 - 2 * way] = last[0] - 5 * a + 3 * b;
     };
-    go_beyond(0, 1);
-    go_beyond(n, -1);
+    extend(0, 1);
+    extend(n, -1);
     const auto smoothed = [&](std::ptrdiff_t i) -> Vec3 {
         const Vec3* p = &places[i + 2];
         return (54 * p[0] - 10 * (p[-1] + p[1]) + p[-2] + p[2]) / 36;
@@ -61,8 +59,8 @@ void write_points(const GuideProfiles<float>& profiles, std::size_t g,
     }
 }
 
-void write_detail(const GuideProfiles<float>& profiles, std::size_t g,
-                  const Vec3f& normal, KernelGuides& out) {
+void write_curl(const GuideProfiles<float>& profiles, std::size_t g, const Vec3f& normal,
+                KernelGuides& out) {
     const std::size_t n = out.count;
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3f& u = profiles.curvatures[g * n + i];
@@ -89,27 +87,27 @@ void write_frenet(const GuideProfiles<float>& profiles, std::size_t g,
                   KernelGuides& out) {
     const Mat3f& to_space = profiles.root_frames[g];
     const ProfileInterval<float>* intervals = &profiles.intervals[g * out.count];
-    const auto put3 = [](float* rows, std::size_t stride, const Vec3f& v) {
+    const auto write3 = [](float* rows, std::size_t stride, const Vec3f& v) {
         for (int axis = 0; axis < 3; ++axis) rows[axis * stride] = v[axis];
     };
     for (std::size_t i = 0; i < out.count; ++i) {
-        const ProfileInterval<float>& own = intervals[i];
+        const ProfileInterval<float>& interval = intervals[i];
         const std::size_t stride = out.place_stride;
         float* rows = &out.frenet[g * 8 * stride + i];
-        rows[0] = own.kappa;
-        rows[stride] = own.tau;
-        put3(rows + 2 * stride, stride, to_space * own.tangent);
-        put3(rows + 5 * stride, stride, to_space * own.normal);
+        rows[0] = interval.kappa;
+        rows[stride] = interval.tau;
+        write3(rows + 2 * stride, stride, to_space * interval.tangent);
+        write3(rows + 5 * stride, stride, to_space * interval.normal);
     }
     for (std::size_t j = 0; j < out.joint_places.size(); ++j) {
         const std::size_t i = out.joint_places[j], stride = out.joint_stride;
         float* rows = &out.joints[g * 11 * stride + j];
-        put3(rows, stride, to_space * Vec3f(profiles.tangent(g, i)));
+        write3(rows, stride, to_space * Vec3f(profiles.tangent(g, i)));
         if (i > 0) {
-            put3(rows + 3 * stride, stride, to_space * intervals[i - 1].normal_after);
+            write3(rows + 3 * stride, stride, to_space * intervals[i - 1].normal_after);
             rows[6 * stride] = intervals[i - 1].kappa;
         }
-        put3(rows + 7 * stride, stride, to_space * intervals[i].normal_before);
+        write3(rows + 7 * stride, stride, to_space * intervals[i].normal_before);
         rows[10 * stride] = intervals[i].kappa;
     }
 }
@@ -119,7 +117,7 @@ void write_frenet(const GuideProfiles<float>& profiles, std::size_t g,
 KernelGuides kernel_guides(const GuideProfiles<float>& profiles,
                            std::span<const Vec3f> normals, Blend blend) {
     if (normals.size() != profiles.size()) {
-        throw std::invalid_argument("kernel_guides: a normal for each guide expected");
+        throw std::invalid_argument("kernel_guides: expected one normal per guide");
     }
     const BlendTraits& traits = traits_of(blend);
     const bool places = traits.kernel == BlendKernel::position;
@@ -152,7 +150,7 @@ KernelGuides kernel_guides(const GuideProfiles<float>& profiles,
         if (places) {
             write_points(profiles, g, out);
         } else {
-            write_detail(profiles, g, normals[g], out);
+            write_curl(profiles, g, normals[g], out);
         }
         if (frenet) write_frenet(profiles, g, out);
     });

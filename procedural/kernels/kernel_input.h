@@ -1,5 +1,5 @@
 #pragma once
-// The arguments of every kernel.
+// The arguments of the kernels that expand strands.
 
 #include <cstddef>
 
@@ -10,7 +10,8 @@
 
 namespace lancret {
 
-/// What the kernels read. `guides` are those of `profiles`.
+/// The children, guides and settings that a kernel reads. `guides` are made from
+/// `profiles`.
 struct KernelInput {
     const Binding& binding;
     const GuideProfiles<float>& profiles;
@@ -20,14 +21,14 @@ struct KernelInput {
     Taper taper;
 };
 
-/// Children from `first` on that are expanded together, and where their control points
-/// go: `points` (and for Hermite `tangents`) hold control_points_of(basis, count) of
-/// each.
+/// The children [first, first + count) to expand, and the destination: `points`, and for
+/// Hermite curves `tangents`, have room for control_points_of(basis, intervals) per
+/// child.
 struct KernelOutput {
     std::size_t first, count;
     Point4f* points;
     Point4f* tangents;
-    bool past_caches;  ///< by streaming stores: nobody reads them soon
+    bool past_caches;  ///< use streaming stores, as the points are not read soon
 };
 
 }  // namespace lancret

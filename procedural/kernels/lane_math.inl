@@ -1,6 +1,6 @@
 // Included once for each instruction set: no #pragma once.
-// Vectors and rotations of several strands at once, one in each lane, and the closed
-// forms of a helix as polynomials.
+// Vectors and rotations, a strand in each lane, and the closed forms of a helix as
+// polynomials.
 
 #if defined(LANCRET_LANE_MATH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LANCRET_LANE_MATH_INL
@@ -72,13 +72,13 @@ HWY_INLINE Lanes4 conjugate(const Lanes4& q) {
     return {q.w, {hn::Neg(q.v.x), hn::Neg(q.v.y), hn::Neg(q.v.z)}};
 }
 
-/// p by the rotation q, |q| = 1.
+/// p rotated by q, |q| = 1.
 HWY_INLINE Lanes3 rotated(const Lanes4& q, const Lanes3& p) {
     const Lanes3 twice = times(set(2), cross(q.v, p));
     return cross_plus(q.v, twice, times_plus(q.w, twice, p));
 }
 
-/// |q|^2 times where the rotation along q takes the first axis, for q of any length.
+/// |q|^2 times the image of the first axis under the rotation along q, of any length.
 HWY_INLINE Lanes3 first_axis(const Lanes4& q) {
     const V ww_xx = hn::MulAdd(q.v.x, q.v.x, hn::Mul(q.w, q.w));
     return {hn::NegMulAdd(q.v.z, q.v.z, hn::NegMulAdd(q.v.y, q.v.y, ww_xx)),
@@ -86,12 +86,12 @@ HWY_INLINE Lanes3 first_axis(const Lanes4& q) {
             hn::Mul(set(2), hn::NegMulAdd(q.w, q.v.y, hn::Mul(q.v.x, q.v.z)))};
 }
 
-/// Unit length, for q of any length but zero.
+/// q at unit length; q is not zero.
 HWY_INLINE Lanes4 normalized(const Lanes4& q) {
     return times(hn::Div(set(1), hn::Sqrt(dot(q, q))), q);
 }
 
-/// Unit length, for q of unit length but for round-off: one Newton step.
+/// q at unit length, by one Newton step; q has unit length up to round-off.
 HWY_INLINE Lanes4 renormalized(const Lanes4& q) {
     return times(hn::NegMulAdd(set(0.5f), dot(q, q), set(1.5f)), q);
 }
@@ -104,9 +104,8 @@ HWY_INLINE V polynomial(V x, const float (&c)[kCount]) {
     return sum;
 }
 
-// Chebyshev interpolation on the stated range; the largest error of each is stated as
-// well, absolute for the first three and relative for the others; half an ulp of 1 is
-// 6e-8.
+// Chebyshev interpolation on the given range, with the maximum error: absolute for the
+// first three, relative for the others. Half an ulp of 1 is 6e-8.
 
 /// cos sqrt(y), y in [0, pi^2]: 2e-10.
 constexpr float kCosine[] = {9.999999999e-01f,  -4.999999985e-01f, 4.166666348e-02f,
@@ -116,11 +115,11 @@ constexpr float kCosine[] = {9.999999999e-01f,  -4.999999985e-01f, 4.166666348e-
 constexpr float kSinc[] = {9.999999993e-01f,  -1.666666592e-01f, 8.333321236e-03f,
                            -1.984053154e-04f, 2.753580020e-06f,  -2.472836363e-08f,
                            1.361158568e-10f};
-/// (t - sin t) / t^3 of x = t^2 in [0, 4 pi^2]: 1e-9.
+/// (t - sin t) / t^3 as a function of x = t^2, in [0, 4 pi^2]: 1e-9.
 constexpr float kThird[] = {1.666666657e-01f,  -8.333330039e-03f, 1.984109388e-04f,
                             -2.755372585e-06f, 2.501588377e-08f,  -1.585905540e-10f,
                             7.025528928e-13f,  -1.765459113e-15f};
-// Of z = 1 - cos h in [0, 1], h the half of an angle up to pi.
+// As functions of z = 1 - cos h in [0, 1], where h is half of an angle up to pi.
 /// (h - sin h) / (h sin^2 h): 6e-8.
 constexpr float kAlong[] = {1.666666566e-01f,  9.444644475e-02f, 4.980255211e-02f,
                             2.655951121e-02f,  8.056364657e-03f, 2.467966518e-02f,
@@ -132,7 +131,8 @@ constexpr float kMiddle[] = {2.499999989e-01f,  4.166687866e-02f, 1.527086723e-0
                              -3.460321422e-03f, 5.283701365e-03f, -3.374442464e-03f,
                              1.157460538e-03f};
 
-/// The step of a helix in the frame at its start: helix_step, for turns up to 2 pi.
+/// The step of a helix, expressed in the frame at its start, as helix_step computes it;
+/// for turns up to 2 pi.
 struct LanesStep {
     Lanes4 turn;
     Lanes3 displacement;  ///< over ds
@@ -149,21 +149,21 @@ HWY_INLINE LanesStep lanes_step(const Lanes3& w) {
              hn::NegMulAdd(c2, w.y, hn::Mul(c3x, w.z))}};
 }
 
-/// The helix between two frames, whose quaternions have the dot product `cosine` >= 0:
-/// how space turns from one to the other, and the chord over the arc length.
-///
-/// Seen from the frame in the middle, a helix that turns by 2 h about the axis a goes
-/// (sin h / h) e0 + (1 - sin h / h) (e0 . a) a.
+/// The helix between two frames.
 struct LanesBetween {
-    Lanes4 turn;
-    Lanes3 chord;
+    Lanes4 turn;   ///< rotation in space from the first frame to the second
+    Lanes3 chord;  ///< over the arc length
 };
 
+/// The quaternions of the frames have the dot product `cosine` >= 0.
+///
+/// In the frame in the middle, the chord of a helix that turns by 2 h about the axis a is
+/// (sin h / h) e0 + (1 - sin h / h) (e0 . a) a.
 HWY_INLINE LanesBetween lanes_between(const Lanes4& from, const Lanes4& to, V cosine) {
     const V z = hn::Sub(set(1), cosine);
     const Lanes4 turn = product(to, conjugate(from));
     const Lanes4 middle = {hn::Add(from.w, to.w), from.v + to.v};
-    // The turn's axis along the tangent, the same at either end.
+    // The component of the turn's axis along the tangent, the same at both ends.
     const V along = hn::NegMulAdd(
         from.v.x, to.w,
         hn::MulAdd(from.v.z, to.v.y,

@@ -1,4 +1,4 @@
-// The index buffer: the control point that each segment begins with.
+// The index buffer of the curves: the first control point of each segment.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "procedural/kernels/number_segments.cpp"
@@ -18,20 +18,20 @@ void NumberSegments(std::size_t first, std::size_t count, std::uint32_t points,
                     std::uint32_t intervals, std::uint32_t* segments, bool past_caches) {
     const hn::CappedTag<std::uint32_t, 16> d;
     const std::size_t lanes = hn::Lanes(d), size = count * intervals;
-    const auto number = [&](std::size_t at) {
-        return std::uint32_t(first + at / intervals * points + at % intervals);
+    const auto number = [&](std::size_t i) {
+        return std::uint32_t(first + i / intervals * points + i % intervals);
     };
-    std::size_t at = 0;
-    while (at < size && reinterpret_cast<std::uintptr_t>(segments + at) % 64 != 0) {
-        segments[at] = number(at);
-        ++at;
+    std::size_t i = 0;
+    while (i < size && reinterpret_cast<std::uintptr_t>(segments + i) % 64 != 0) {
+        segments[i] = number(i);
+        ++i;
     }
-    // Lanes that pass a strand's end go on with the next strand: they have its points
-    // less its segments to skip, once for each strand that they pass.
-    std::uint32_t in_strand = std::uint32_t(at % intervals);
-    std::uint32_t base = std::uint32_t(first + at / intervals * points);
+    // A lane past a strand's end belongs to the next strand. It skips the difference of
+    // points and segments once for each strand that it passes.
+    std::uint32_t in_strand = std::uint32_t(i % intervals);
+    std::uint32_t base = std::uint32_t(first + i / intervals * points);
     const auto steps = hn::Iota(d, 0), skip = hn::Set(d, points - intervals);
-    for (; at + lanes <= size; at += lanes) {
+    for (; i + lanes <= size; i += lanes) {
         auto numbers = hn::Add(hn::Set(d, base + in_strand), steps);
         const auto places = hn::Add(hn::Set(d, in_strand), steps);
         std::uint32_t end = intervals;
@@ -40,9 +40,9 @@ void NumberSegments(std::size_t first, std::size_t count, std::uint32_t points,
                 hn::Add(numbers, hn::IfThenElseZero(places > hn::Set(d, end - 1), skip));
         }
         if (past_caches) {
-            hn::Stream(numbers, d, segments + at);
+            hn::Stream(numbers, d, segments + i);
         } else {
-            hn::Store(numbers, d, segments + at);
+            hn::Store(numbers, d, segments + i);
         }
         in_strand += std::uint32_t(lanes);
         while (in_strand >= intervals) {
@@ -50,7 +50,7 @@ void NumberSegments(std::size_t first, std::size_t count, std::uint32_t points,
             base += points;
         }
     }
-    for (; at < size; ++at) segments[at] = number(at);
+    for (; i < size; ++i) segments[i] = number(i);
     if (past_caches) hwy::FlushStream();
 }
 

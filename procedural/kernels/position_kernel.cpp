@@ -1,6 +1,6 @@
-// Blend `position` by vectors over the control points of a strand. Places, the parabolas
-// beyond their ends and the five taps are all linear in the guides' places: a child's
-// control points are the weighted sum of its guides'.
+// The kernel of blend position, vectorised over the control points of a strand. Places,
+// the parabolas beyond their ends and the five taps are all linear in the guides' places,
+// so a child's control points are the weighted sum of its guides'.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "procedural/kernels/position_kernel.cpp"
@@ -14,7 +14,7 @@
 
 #include "procedural/bind/child.h"
 #include "procedural/kernels/position_kernel.h"
-// after what it uses
+// after the headers it uses
 #include "procedural/kernels/copy_points.inl"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,13 +22,13 @@ namespace lancret::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// sum(factors[k] * row of guides[k]), a vector of it.
+/// sum(factors[k] * rows[k]), the vector of it that begins at `first`.
 template <class D>
 HWY_INLINE hn::Vec<D> weighted_sum(D d, const float* const* rows, const float* factors,
-                                   std::size_t count, std::size_t at) {
-    auto sum = hn::Mul(hn::Set(d, factors[0]), hn::Load(d, rows[0] + at));
+                                   std::size_t count, std::size_t first) {
+    auto sum = hn::Mul(hn::Set(d, factors[0]), hn::Load(d, rows[0] + first));
     for (std::size_t k = 1; k < count; ++k) {
-        sum = hn::MulAdd(hn::Set(d, factors[k]), hn::Load(d, rows[k] + at), sum);
+        sum = hn::MulAdd(hn::Set(d, factors[k]), hn::Load(d, rows[k] + first), sum);
     }
     return sum;
 }
@@ -52,7 +52,7 @@ void Positions(const KernelInput& in, const KernelOutput& out) {
             length += child.weights[k] * in.profiles.lengths[child.guides[k]];
             rows[k] = &guides.points[child.guides[k] * 3 * stride];
         }
-        // A groom may ask for longer or shorter children than their guides.
+        // The groom may scale children to be longer or shorter than their guides.
         const float scale = in.binding.lengths[i] / length;
         for (std::size_t k = 0; k < child.count; ++k) child.weights[k] *= scale;
         const Vec3f& root = in.binding.roots.positions[i];

@@ -4,7 +4,7 @@
 
 namespace lancret {
 
-/// Control points of children, blend `position`: the weighted sum of their guides'.
+/// Writes the control points of children, for blends with BlendKernel::position.
 void expand_positions(const KernelInput& in, const KernelOutput& out);
 
 }  // namespace lancret

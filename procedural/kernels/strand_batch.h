@@ -1,6 +1,6 @@
 #pragma once
-// As many strands as a vector has lanes, on their way through the kernels. Arrays are
-// [...][lanes], so that a row is a vector.
+// A batch of strands, one per vector lane. Arrays are [...][lanes], so that a row is a
+// vector.
 
 #include <hwy/aligned_allocator.h>
 
@@ -9,44 +9,41 @@
 
 namespace lancret {
 
-/// An interval may turn by so many radians in a kernel: as far as lane_math.inl has a
-/// step. Where frames are turned once more after it, the blends themselves take the helix
-/// of less than half a turn between two; where they are not, only up to half a turn is
-/// that one the guide's.
+/// Maximum turn of an interval in the kernel, radian. Anchored frames are connected by
+/// the helix of less than half a turn in any case, so the limit is that of lanes_step;
+/// without anchoring that helix is the guide's only up to half a turn.
 inline constexpr float kMaxTurnAnchored = 6.28f, kMaxTurnAlone = 3.1f;
 
-/// The cosine between two normals below which they are opposed, for smallest_rotation
-/// too.
+/// Normals with a smaller cosine are opposed, as in smallest_rotation.
 inline constexpr float kOpposedCosine = -1 + 1e-6f;
-
-/// The longest vector, in floats.
-inline constexpr std::size_t kMaxLanes = 16;
 
 struct StrandBatch {
     std::size_t intervals, stride, neighbours;
     LightChild children[kMaxLanes];
-    const float* record_rows[kMaxNeighbours][kMaxLanes];  ///< to be `records`
-    bool scalar[kMaxLanes];  ///< left to the scalar blends: turns or normals too far
+    const float* record_rows[kMaxNeighbours][kMaxLanes];  ///< transposed: `records`
+    bool
+        scalar[kMaxLanes];  ///< needs the scalar blend: turns too far, or opposed normals
 
     alignas(64) float length[kMaxLanes];           ///< cm
-    alignas(64) float width[kMaxLanes];            ///< over the strand's own
+    alignas(64) float width[kMaxLanes];            ///< Roots::width
     alignas(64) float root[3][kMaxLanes];          ///< cm
     alignas(64) float normal[3][kMaxLanes];        ///< of the scalp at the root
-    alignas(64) float start_normal[3][kMaxLanes];  ///< at the heaviest guide's root
-    alignas(64) float start[4][kMaxLanes];         ///< w x y z: its root frame
+    alignas(64) float start_normal[3][kMaxLanes];  ///< of the scalp at the heaviest
+                                                   ///< guide's root
+    alignas(64) float start[4][kMaxLanes];  ///< w x y z: the root frame, see lanes_start
     alignas(64) float shares[kMaxNeighbours][kMaxLanes];       ///< w L over their sum
     alignas(64) float records[kMaxNeighbours][16][kMaxLanes];  ///< GuideRecord
 
-    hwy::AlignedFreeUniquePtr<float[]> rows;  ///< [3][lanes][stride]: kappa and tau of
-                                              ///< blends that make their own, advances
+    hwy::AlignedFreeUniquePtr<float[]> rows;  ///< [3][lanes][stride]: blended kappa and
+                                              ///< tau, advances
     hwy::AlignedFreeUniquePtr<float[]> joint_rows;     ///< [2][lanes][joint_stride]:
-                                                       ///< cosines, sines of turns
+                                                       ///< cosines, sines of N~'s turns
     hwy::AlignedFreeUniquePtr<float[]> joint_columns;  ///< [2][joint_stride][lanes]
     hwy::AlignedFreeUniquePtr<float[]> curvatures;     ///< [3][stride][lanes] 1/cm
     hwy::AlignedFreeUniquePtr<float[]> advances;       ///< [stride][lanes]
     hwy::AlignedFreeUniquePtr<float[]> frames;         ///< [places][4][lanes] w x y z
-    hwy::AlignedFreeUniquePtr<float[]> places;  ///< [places + 4][3][lanes] from the root
-                                                ///< in cm; two beyond each end
+    hwy::AlignedFreeUniquePtr<float[]> places;  ///< [places + 4][3][lanes], relative to
+                                                ///< the root, cm; two beyond each end
     hwy::AlignedFreeUniquePtr<float[]> points;  ///< [control points][lanes][4]
 
     StrandBatch(const KernelInput& in, std::size_t lanes)

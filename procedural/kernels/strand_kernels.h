@@ -1,11 +1,11 @@
 #pragma once
-// Expansion by vectors: one set of kernels, compiled for every instruction set that
-// Highway knows and chosen when the program runs.
+// Vectorised expansion: kernels that are compiled for every instruction set that Highway
+// supports and chosen at run time.
 //
-// A strand's bits depend on the strand alone and on the instruction set: not on the lane
-// it falls into, its neighbours, nor on how many are expanded at a time. Between sets
-// they differ by round-off: those with a fused multiply-add (AVX2, AVX-512, NEON) round
-// once where SSE and plain code round twice.
+// A strand's bits depend only on the strand and on the instruction set, not on its lane,
+// its neighbours or the number of strands expanded together. Instruction sets differ by
+// round-off: a fused multiply-add (AVX2, AVX-512, NEON) rounds once, SSE and scalar code
+// twice.
 
 #include <span>
 
@@ -16,16 +16,18 @@ namespace lancret {
 /// Whether a kernel writes the control points; if not, the scalar blends do.
 bool has_kernel(Blend blend, CurveBasis basis);
 
-/// Frames and places of `count` children from `first` on, as their control points are
-/// made of them: intervals + 1 of each in `states`. For blends that go along curvatures.
+/// Writes frames and places of the children [first, first + count), from which
+/// expand_strands makes their control points: intervals + 1 per child in `states`. For
+/// blends with BlendKernel::curl.
 void synthesize_strands(const KernelInput& in, std::size_t first, std::size_t count,
                         std::span<HelixState<float>> states);
 
-/// Control points of children whose blend has a kernel.
+/// Writes the control points of children whose blend has a kernel.
 void expand_strands(const KernelInput& in, const KernelOutput& out);
 
-/// The control point that each segment of `count` strands begins with, to `segments`;
-/// `first` is the first of these points.
+/// Writes to `segments` the index of the first control point of each segment, for `count`
+/// strands of `points` control points and `intervals` segments. `first` is the index of
+/// their first control point. With `past_caches` the stores bypass the caches.
 void number_segments(std::size_t first, std::size_t count, std::uint32_t points,
                      std::uint32_t intervals, std::uint32_t* segments, bool past_caches);
 

@@ -1,5 +1,5 @@
 // Included once for each instruction set: no #pragma once.
-// From rows that lie apart to columns side by side: far cheaper than gathering.
+// Transposes separate rows into adjacent columns, which is far cheaper than gathering.
 
 #if defined(LANCRET_TRANSPOSE_ROWS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LANCRET_TRANSPOSE_ROWS_INL
@@ -33,13 +33,13 @@ HWY_INLINE void transpose_rows(const float* const* rows, std::size_t lanes,
             const auto cd = hn::BitCast(pairs, hn::InterleaveLower(four, c, d));
             const auto ab2 = hn::BitCast(pairs, hn::InterleaveUpper(four, a, b));
             const auto cd2 = hn::BitCast(pairs, hn::InterleaveUpper(four, c, d));
-            const auto put = [&](std::size_t k, auto v) {
+            const auto store = [&](std::size_t k, auto v) {
                 hn::Store(hn::BitCast(four, v), four, to + (j + k) * step + lane);
             };
-            put(0, hn::InterleaveLower(pairs, ab, cd));
-            put(1, hn::InterleaveUpper(pairs, ab, cd));
-            put(2, hn::InterleaveLower(pairs, ab2, cd2));
-            put(3, hn::InterleaveUpper(pairs, ab2, cd2));
+            store(0, hn::InterleaveLower(pairs, ab, cd));
+            store(1, hn::InterleaveUpper(pairs, ab, cd));
+            store(2, hn::InterleaveLower(pairs, ab2, cd2));
+            store(3, hn::InterleaveUpper(pairs, ab2, cd2));
         }
     }
 #endif
