@@ -1,4 +1,5 @@
-// Placing and binding children of the made groom. Arguments: children, threads.
+// Placing the roots of the made groom's children, and binding them. Arguments: children,
+// threads.
 
 #include <benchmark/benchmark.h>
 
@@ -35,7 +36,7 @@ void bind_children(benchmark::State& run) {
         }
     });
     rate(run);
-    run.counters["bytes_a_child"] = double(bytes) / double(run.range(0));
+    run.counters["bytes_per_child"] = double(bytes) / double(run.range(0));
 }
 
 void sizes(benchmark::internal::Benchmark* bench) {
