@@ -56,7 +56,8 @@ lancret_status lancret_groom_check_chunk(const lancret_groom* groom, lancret_u32
                                          lancret_check* check) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
-        require(check, "lancret_check");
-        write_sized(check, check_of(*groom->shared, index, options), "lancret_check");
+        require(check, "lancret_check is null");
+        write_sized(check, check_of(*groom->shared, index, options),
+                    "lancret_check: null, or invalid size");
     });
 }

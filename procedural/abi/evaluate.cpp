@@ -49,7 +49,7 @@ lancret_status lancret_context_evaluate(lancret_context* context,
     const lancret_status status = run(
         *context,
         [&] {
-            require(sink, "sink");
+            require(sink, "sink is null");
             const std::string text = evaluation_text(*context, read_source(source));
             call_host([&] { sink(user, text.c_str()); });
         },

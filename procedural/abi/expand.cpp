@@ -13,8 +13,8 @@ lancret_status lancret_groom_get_chunk_box(const lancret_groom* groom, lancret_u
                                            float box[6]) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
-        require(box, "box");
-        require(kind == LANCRET_REACH || kind == LANCRET_TIGHT, "kind");
+        require(box, "box is null");
+        require(kind == LANCRET_REACH || kind == LANCRET_TIGHT, "unknown kind of box");
         const Eigen::AlignedBox3f out =
             box_of_chunk(*groom->shared, index, options, kind);
         for (int i = 0; i < 3; ++i) {
@@ -29,7 +29,7 @@ lancret_status lancret_groom_expand_chunk(const lancret_groom* groom, lancret_u3
                                           lancret_curves_sink sink, void* user) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
-        require(sink, "sink");
+        require(sink, "sink is null");
         ChunkBinding chunk = bind_request(*groom->shared, index, options);
         const WorkspaceLoan workspace(groom->context.workspaces);
         const ChunkArrays arrays(chunk, *workspace);
@@ -54,15 +54,17 @@ lancret_status lancret_chunk_open(const lancret_groom* groom, lancret_u32 index,
 lancret_status lancret_chunk_get_sizes(const lancret_chunk* chunk,
                                        lancret_curves* sizes) {
     if (!chunk) return LANCRET_BAD_CALL;
-    return run(chunk->context,
-               [&] { write_sized(sizes, sizes_of(chunk->bound), "lancret_curves"); });
+    return run(chunk->context, [&] {
+        write_sized(sizes, sizes_of(chunk->bound),
+                    "lancret_curves: null, or invalid size");
+    });
 }
 
 lancret_status lancret_chunk_write(const lancret_chunk* chunk,
                                    const lancret_curves* buffers) {
     if (!chunk) return LANCRET_BAD_CALL;
     return run(chunk->context, [&] {
-        const auto out = read_sized(buffers, "lancret_curves and its size");
+        const auto out = read_sized(buffers, "lancret_curves: null, or invalid size");
         const std::size_t times = chunk->bound.request.frames.size();
         for (const float* const* arrays : {out.positions, out.tangents, out.normals}) {
             for (std::size_t t = 0; arrays && t < times; ++t) {

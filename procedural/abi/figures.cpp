@@ -70,16 +70,19 @@ using namespace lancret::abi;
 lancret_status lancret_chunk_get_info(const lancret_chunk* chunk,
                                       lancret_chunk_info* info) {
     if (!chunk) return LANCRET_BAD_CALL;
-    return run(chunk->context,
-               [&] { write_sized(info, info_of(chunk->bound), "lancret_chunk_info"); });
+    return run(chunk->context, [&] {
+        write_sized(info, info_of(chunk->bound),
+                    "lancret_chunk_info: null, or invalid size");
+    });
 }
 
 lancret_status lancret_chunk_get_figures(const lancret_chunk* chunk, int figure,
                                          std::size_t time, float* values) {
     if (!chunk) return LANCRET_BAD_CALL;
     return run(chunk->context, [&] {
-        require(values, "values");
-        require(figure >= LANCRET_LENGTH_ERROR && figure <= LANCRET_REGION, "figure");
+        require(values, "values is null");
+        require(figure >= LANCRET_LENGTH_ERROR && figure <= LANCRET_REGION,
+                "unknown figure");
         require(time < chunk->bound.request.frames.size(), "time is out of range");
         std::ranges::copy(figures_of(*chunk->groom, chunk->bound, figure, time), values);
     });

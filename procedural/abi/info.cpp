@@ -107,22 +107,26 @@ using namespace lancret::abi;
 lancret_status lancret_groom_get_info(const lancret_groom* groom,
                                       lancret_groom_info* info) {
     if (!groom) return LANCRET_BAD_CALL;
-    return run(groom->context,
-               [&] { write_sized(info, info_of(*groom->shared), "lancret_groom_info"); });
+    return run(groom->context, [&] {
+        write_sized(info, info_of(*groom->shared),
+                    "lancret_groom_info: null, or invalid size");
+    });
 }
 
 lancret_status lancret_groom_get_guides(const lancret_groom* groom,
                                         lancret_guides* guides) {
     if (!groom) return LANCRET_BAD_CALL;
-    return run(groom->context,
-               [&] { write_sized(guides, guides_of(*groom->shared), "lancret_guides"); });
+    return run(groom->context, [&] {
+        write_sized(guides, guides_of(*groom->shared),
+                    "lancret_guides: null, or invalid size");
+    });
 }
 
 lancret_status lancret_groom_describe(const lancret_groom* groom, lancret_text_sink sink,
                                       void* user) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
-        require(sink, "sink");
+        require(sink, "sink is null");
         const std::string text = description_of(groom->shared->ready());
         call_host([&] { sink(user, text.c_str()); });
     });
@@ -132,8 +136,8 @@ lancret_status lancret_groom_get_head(const lancret_groom* groom, double time,
                                       lancret_mesh_sink sink, void* user) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
-        require(sink, "sink");
-        require(std::isfinite(time), "time");
+        require(sink, "sink is null");
+        require(std::isfinite(time), "time is not finite");
         const lancret::TriangleMesh head = head_at(*groom->shared, time);
         const lancret_mesh view = view_of(head);
         lancret_status status = LANCRET_OK;
@@ -146,8 +150,9 @@ lancret_status lancret_groom_is_still(const lancret_groom* groom, const double* 
                                       std::size_t time_count, int* still) {
     if (!groom) return LANCRET_BAD_CALL;
     return run(groom->context, [&] {
-        require(still, "still");
-        require(times && time_count > 0 && time_count <= kMaxTimes, "times");
+        require(still, "still is null");
+        require(times && time_count > 0 && time_count <= kMaxTimes,
+                "times is null, or time_count is not in [1, 256]");
         const OpenGroom& shared = *groom->shared;
         std::vector<double> frames;
         for (std::size_t i = 0; i < time_count; ++i) {

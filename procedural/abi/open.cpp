@@ -53,7 +53,7 @@ lancret_status lancret_context_create(int abi_version, const lancret_host* host,
     if (abi_version != LANCRET_ABI_VERSION) return LANCRET_BAD_CALL;
     try {
         const lancret_host given =
-            host ? read_sized(host, "lancret_host") : lancret_host{};
+            host ? read_sized(host, "lancret_host: invalid size") : lancret_host{};
         if (!given.allocate != !given.release || given.threads < 0) {
             return LANCRET_BAD_CALL;
         }

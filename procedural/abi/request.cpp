@@ -25,18 +25,19 @@ Request read_request(const OpenGroom& groom, std::uint32_t index,
     require(index < groom.chunked().chunks.size(), "chunk index is out of range");
     lancret_options in{};
     in.size = sizeof in;
-    if (options) in = read_sized(options, "lancret_options and its size");
+    if (options) in = read_sized(options, "lancret_options: null, or invalid size");
     require(in.time_count <= kMaxTimes && (in.times || in.time_count == 0),
-            "lancret_options: times");
+            "lancret_options: times is null, or time_count is above 256");
     require(in.basis >= LANCRET_LINEAR && in.basis <= LANCRET_HERMITE,
-            "lancret_options: basis");
-    require(is_amount(in.max_error), "lancret_options: max_error");
-    require(is_share(in.density), "lancret_options: density");
+            "lancret_options: unknown basis");
+    require(is_amount(in.max_error), "lancret_options: max_error is out of range");
+    require(is_share(in.density), "lancret_options: density is not in [0, 1]");
     require(is_amount(in.pixels) && is_amount(in.strands_per_pixel),
-            "lancret_options: pixels and strands_per_pixel");
+            "lancret_options: pixels or strands_per_pixel is out of range");
     require(is_amount(in.unit) && (in.unit == 0 || in.unit >= 1e-6f),
-            "lancret_options: unit");
-    require((in.attributes & ~kKnownAttributes) == 0, "lancret_options: attributes");
+            "lancret_options: unit is out of range");
+    require((in.attributes & ~kKnownAttributes) == 0,
+            "lancret_options: unknown attributes");
 
     Request out;
     const double scale = in.unit > 0 ? double(in.unit) : 1;
@@ -53,7 +54,7 @@ Request read_request(const OpenGroom& groom, std::uint32_t index,
     out.curve = kBases[in.basis];
     out.max_error = float(in.max_error * scale);
     require(out.max_error == 0 || out.max_error >= kMinError,
-            "lancret_options: max_error is below a micrometre");
+            "lancret_options: max_error is below 1e-4 cm");
     const ReadyGroom& ready = groom.ready();
     out.density = in.density > 0 ? in.density : ready.groom.density;
     if (in.strands_per_pixel > 0) {

@@ -33,10 +33,11 @@ std::vector<Vec3f> positions_of(const float* from, std::size_t count, const char
 }
 
 std::shared_ptr<const Strands> copied(const lancret_strands* given) {
-    const auto in = read_sized(given, "lancret_strands and its size");
-    require(in.strands > 0 && in.counts && in.points, "lancret_strands: arrays");
+    const auto in = read_sized(given, "lancret_strands: null, or invalid size");
+    require(in.strands > 0 && in.counts && in.points,
+            "lancret_strands: no strands, or an array is null");
     require(in.basis >= LANCRET_LINEAR && in.basis <= LANCRET_CATMULL_ROM,
-            "lancret_strands: basis");
+            "lancret_strands: unsupported basis");
     auto out = std::make_shared<Strands>();
     out->basis = in.basis == LANCRET_BSPLINE ? Basis::bspline : Basis::catmull_rom;
     out->first.reserve(std::size_t(in.strands) + 1);
@@ -58,9 +59,9 @@ std::shared_ptr<const Strands> copied(const lancret_strands* given) {
 }
 
 std::shared_ptr<const TriangleMesh> copied(const lancret_mesh* given) {
-    const auto in = read_sized(given, "lancret_mesh and its size");
+    const auto in = read_sized(given, "lancret_mesh: null, or invalid size");
     require(in.vertices > 0 && in.triangles > 0 && in.positions && in.corners,
-            "lancret_mesh: arrays");
+            "lancret_mesh: no triangles, or an array is null");
     auto out = std::make_shared<TriangleMesh>();
     out->positions = positions_of(in.positions, in.vertices, "scalp");
     out->triangles.resize(in.triangles);
@@ -106,20 +107,22 @@ void add_file(std::string& key, const std::filesystem::path& file) {
 }  // namespace
 
 Source read_source(const lancret_source* given) {
-    const auto in = read_sized(given, "lancret_source and its size");
-    require(in.path || in.text || in.strands,
-            "lancret_source: neither path nor text nor strands");
+    const auto in = read_sized(given, "lancret_source: null, or invalid size");
+    require(in.path || in.text || in.strands, "lancret_source: no path, text or strands");
     require(!in.path || *in.path, "lancret_source: path is empty");
-    require(in.parameter_count <= kMaxParameters, "lancret_source: parameter_count");
-    require(in.parameters || in.parameter_count == 0, "lancret_source: parameters");
-    require(in.chunk_strands <= kMaxChunkStrands, "lancret_source: chunk_strands");
+    require(in.parameter_count <= kMaxParameters,
+            "lancret_source: more than 65536 parameters");
+    require(in.parameters || in.parameter_count == 0,
+            "lancret_source: parameters is null");
+    require(in.chunk_strands <= kMaxChunkStrands,
+            "lancret_source: chunk_strands is above 1000000");
     Source out;
     if (in.path) out.settings.path = in.path;
     if (in.text) out.settings.text = in.text;
     if (in.folder) out.settings.folder = in.folder;
     for (std::size_t i = 0; i < in.parameter_count; ++i) {
         const lancret_parameter& p = in.parameters[i];
-        require(p.name, "lancret_parameter: name");
+        require(p.name, "lancret_parameter: name is null");
         GroomParameter& to = out.settings.parameters.emplace_back();
         to.name = p.name;
         if (p.text) to.text = p.text;
