@@ -60,18 +60,21 @@ blender-addon: deps
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret_plugin
 	python3 python/blender/build_zip.py $(BUILD)/liblancret_procedural.so out/lancret_blender.zip
 
+# The Python tests run in an environment that is made once and kept in ~/.cache/lancret.
 test: deps
+	scripts/test-python
 	cmake --preset $(PRESET) -DLANCRET_TESTS=ON
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
 	ctest --preset $(PRESET) --parallel $(JOBS) --label-exclude slow
 
-# Also compares with Mitsuba and reads and writes USD, which it installs into build/ where it can.
+# Also compares with Mitsuba and tests the add-on in Blender's module bpy, both from PyPI.
 test-slow: deps
+	scripts/install-deps --bpy
+	scripts/bpy-python 4.5
+	scripts/bpy-python 5.0
 	cmake --preset $(PRESET) -DLANCRET_TESTS=ON
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
-	LANCRET_MITSUBA_PYTHON=$$(scripts/mitsuba-python $(CURDIR)/build/mitsuba) \
-	  LANCRET_USD_PYTHON=$$(scripts/usd-python $(CURDIR)/build/usd) \
-	  ctest --preset $(PRESET) --label-regex slow
+	LANCRET_MITSUBA_PYTHON=$$(scripts/mitsuba-python) ctest --preset $(PRESET) --label-regex slow
 
 bench: deps
 	cmake --preset $(PRESET) -DLANCRET_BENCH=ON

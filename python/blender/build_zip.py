@@ -1,4 +1,4 @@
-"""Zips the add-on with the package `lancret` and its library, for Blender to install.
+"""Zips the add-on with the package `lancret` and its library, to be installed in Blender.
 
 Usage: python3 build_zip.py LIBRARY ZIP
 """
@@ -10,7 +10,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ADDON = HERE / "lancret_blender"
 PACKAGE = HERE.parent / "lancret"
-FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # the same contents are the same bytes
+FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # fixed, so that equal contents give equal bytes
 
 
 def contents(library):

@@ -1,10 +1,10 @@
-"""The made groom by Cycles, and a groom that shows the same by Lancret's own renderer:
+"""Renders the made groom in Cycles, and writes a groom for the same picture by `lancret preview`:
 
     blender -b --factory-startup --python python/blender/cycles_picture.py -- out/cycles
     build/release/tools/lancret preview out/cycles/ours.toml -o out/cycles/ours.png
     blender -b --factory-startup --python python/blender/cycles_picture.py -- out/cycles join
 
-The second makes out/cycles/cycles.png of the two: Cycles at the left.
+The last command joins both into out/cycles/cycles.png, with Cycles at the left.
 """
 
 import sys
@@ -20,11 +20,11 @@ import lancret_blender  # noqa: E402
 
 SIZE, SAMPLES, STRANDS = 480, 64, 30000
 EYE, TARGET, FIELD = (28, 0, 86), (0, -9, -1), 30  # cm, y up; degrees
-SUN, IRRADIANCE, RADIUS = (0.6, 0.7, 0.8), 4.0, 2.0  # towards it; of it, degrees
+SUN, IRRADIANCE, RADIUS = (0.6, 0.7, 0.8), 4.0, 2.0  # direction to it; radius in degrees
 SKY, BACKGROUND = 0.4, 0.18
 SKIN = (0.35, 0.22, 0.16)
 EUMELANIN, PHEOMELANIN, ROUGHNESS, AZIMUTHAL = 0.8, 0.2, 0.3, 0.35
-# Absorption by the radius for each pigment, as Lancret has it [d'Eon et al. 2011].
+# Absorption of each pigment, in 1/radius, the same as Lancret's [d'Eon et al. 2011].
 OF_EUMELANIN, OF_PHEOMELANIN = (0.419, 0.697, 1.37), (0.187, 0.4, 1.05)
 HEAD = (7.5, 11, 9.5)  # half axes of the made groom's head, cm
 
@@ -56,19 +56,19 @@ background = {[BACKGROUND] * 3}
 
 
 def metres(point):
-    """Blender's of a place in the groom."""
+    """A place in the groom, in Blender's units and axes."""
     x, y, z = point
     return Vector((x, -z, y)) / 100
 
 
 def shown(groom):
-    """The example's hair, in this picture's light."""
-    own = ("material", "camera", "light", "render", "dynamics", "motion")
+    """The text of an example groom with the look of this picture."""
+    replaced = ("material", "camera", "light", "render", "dynamics", "motion")
     text, kept = (HERE.parent.parent / "examples" / groom).read_text(), True
     lines = []
     for line in text.splitlines():
         if line.startswith("["):
-            kept = line.split("]")[0].strip("[") not in own
+            kept = line.split("]")[0].strip("[") not in replaced
         if kept:
             lines.append(line)
     text = "\n".join(lines)
@@ -118,14 +118,14 @@ def light(scene):
 
 def head(scene):
     bpy.ops.mesh.primitive_uv_sphere_add(segments=72, ring_count=40, radius=0.01)
-    thing = bpy.context.object
+    obj = bpy.context.object
     x, y, z = HEAD
-    thing.data.transform(Matrix.Diagonal((x, z, y, 1)))
+    obj.data.transform(Matrix.Diagonal((x, z, y, 1)))
     skin = bpy.data.materials.new("skin")
     diffuse = nodes_of(skin, "ShaderNodeBsdfDiffuse", "ShaderNodeOutputMaterial")
     diffuse.inputs["Color"].default_value = (*SKIN, 1)
-    thing.data.materials.append(skin)
-    for polygon in thing.data.polygons:
+    obj.data.materials.append(skin)
+    for polygon in obj.data.polygons:
         polygon.use_smooth = True
 
 
@@ -146,11 +146,11 @@ def render(folder):
     groom = folder / "ours.toml"
     groom.write_text(shown("made_groom.toml"))
     bpy.ops.object.lancret_add(filepath=str(groom))
-    told = bpy.context.object.lancret
-    if told.error:
-        raise SystemExit(told.error)
-    print(f"strands {told.all_strands}, ends within {told.end_error:.3g} cm", flush=True)
-    hair_material(told.material)
+    settings = bpy.context.object.lancret
+    if settings.error:
+        raise SystemExit(settings.error)
+    print(f"strands {settings.all_strands}, ends within {settings.end_error:.3g} cm", flush=True)
+    hair_material(settings.material)
     head(scene)
     light(scene)
     camera(scene)

@@ -1,10 +1,10 @@
-"""Lancret: hair grown at render time between Super-Helix guides.
+"""Lancret grows hair between Super-Helix guides at render time.
 
     with lancret.open("head.toml", parameters={"strands.count": 5000}) as groom:
         hair = groom.expand(attributes=("ids", "root_uv"))
         print(hair.points, hair.radii)
 
-`lancret.usd` reads and writes USD, `lancret.notebook` draws.
+`lancret.usd` reads and writes USD; `lancret.notebook` draws strands with matplotlib.
 """
 
 from . import notebook

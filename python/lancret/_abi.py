@@ -1,11 +1,12 @@
-"""The C interface as ctypes sees it: procedural/lancret_procedural.h, field by field.
+"""The C interface in ctypes, field by field as in procedural/lancret_procedural.h.
 
-Nothing here is for users. A struct's `size` is set when it is made.
+Internal. The constructor of a struct sets its `size`.
 """
 
 from __future__ import annotations
 
 import ctypes
+import dataclasses
 from ctypes import (
     POINTER,
     c_char_p,
@@ -16,6 +17,8 @@ from ctypes import (
     c_uint,
     c_void_p,
 )
+
+from . import figures
 
 ABI_VERSION = 2
 OK, CANCELLED = 0, 4
@@ -35,7 +38,7 @@ ATTRIBUTES = {
     "arc_lengths": 64,
     "random": 128,
 }
-#: What lancret_chunk_get_figures is asked for.
+#: The `figure` argument of lancret_chunk_get_figures.
 FIGURES = {
     "length_error": 0,
     "orthogonality": 1,
@@ -180,14 +183,10 @@ class Curves(Sized):
 class ChunkInfo(Sized):
     _fields_ = [
         ("size", c_size_t),
-        ("strands", c_uint),
-        ("bytes", c_size_t),
-        ("no_facing_guide", c_uint),
-        ("no_guide_in_reach", c_uint),
-        ("no_guide_in_sight", c_uint),
-        ("no_guide_in_region", c_uint),
-        ("opposed_root_frames", c_uint),
-        ("straight_guides", c_uint),
+        *(
+            (field.name, c_size_t if field.name == "bytes" else c_uint)
+            for field in dataclasses.fields(figures.ChunkInfo)
+        ),
     ]
 
 
@@ -217,7 +216,7 @@ class Guides(Sized):
     ]
 
 
-#: Each struct by its C name, for the test that compares them with the header.
+#: The structs by C name, for the test that compares them with the header.
 STRUCTS: dict[str, type[ctypes.Structure]] = {
     "lancret_host": Host,
     "lancret_parameter": Parameter,
@@ -232,7 +231,7 @@ STRUCTS: dict[str, type[ctypes.Structure]] = {
     "lancret_guides": Guides,
 }
 
-#: Result and arguments of each function; handles are c_void_p.
+#: Result and argument types of each function; handles are c_void_p.
 FUNCTIONS: dict[str, tuple[object, list[object]]] = {
     "lancret_version": (c_char_p, []),
     "lancret_abi_version": (c_int, []),

@@ -1,8 +1,9 @@
-"""Chunks that are bound, by their C handles."""
+"""Queries of an open chunk, by its C handle."""
 
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 from collections.abc import Iterator
 from ctypes import byref, c_float, c_uint, c_void_p
 
@@ -13,23 +14,24 @@ from ._library import library
 from ._options import chunk_index
 from ._source import pointer_to
 from .context import Context
-from .curves import pieces_of_curves
+from .curves import segments_of_curves
 from .errors import CallError
 from .figures import ChunkInfo
 from .geometry import Counts, Floats
 
-#: Values a strand, where they are not one: at each end of its segments, or in each.
-_MORE = {"orthogonality": 1, "curvature": 0, "torsion": 0}
+#: Values per strand, less its number of curve segments, of figures that have more than
+#: one value per strand: one per end of a segment, or one per segment.
+_EXTRA_VALUES = {"orthogonality": 1, "curvature": 0, "torsion": 0}
 
 
 @contextlib.contextmanager
-def bound(
-    context: Context, groom: int, number: int, asked: _abi.Options
+def opened(
+    context: Context, groom: int, number: int, options: _abi.Options
 ) -> Iterator[int]:
-    """A chunk's handle, closed at the end."""
+    """A chunk's handle; leaving the context closes it."""
     pointer = c_void_p()
     status = library().lancret_chunk_open(
-        groom, chunk_index(number), byref(asked), byref(pointer)
+        groom, chunk_index(number), byref(options), byref(pointer)
     )
     try:
         context.raise_for(status)
@@ -46,7 +48,7 @@ def sizes_of(context: Context, chunk: int) -> _abi.Curves:
 
 
 def counts_of(context: Context, chunk: int, sizes: _abi.Curves) -> Counts:
-    """[strands] points of each, and nothing else of the chunk."""
+    """[strands] number of points of each; writes no other array."""
     counts = np.empty(sizes.strands, dtype=np.uint32)
     sizes.counts = pointer_to(counts, c_uint)
     context.raise_for(library().lancret_chunk_write(chunk, byref(sizes)))
@@ -54,16 +56,16 @@ def counts_of(context: Context, chunk: int, sizes: _abi.Curves) -> Counts:
 
 
 def figures_of(context: Context, chunk: int, figure: str) -> Floats:
-    """A figure of the chunk's strands at the first of its times."""
+    """A figure of the chunk's strands at the chunk's first time."""
     if figure not in _abi.FIGURES:
-        raise CallError(f"figure {figure!r}: is none of {', '.join(_abi.FIGURES)}")
+        raise CallError(f"figure {figure!r}: must be one of {', '.join(_abi.FIGURES)}")
     sizes = sizes_of(context, chunk)
-    room = int(sizes.strands)
-    if figure in _MORE:
+    size = int(sizes.strands)
+    if figure in _EXTRA_VALUES:
         counts = counts_of(context, chunk, sizes)
-        pieces = pieces_of_curves(counts, _abi.BASIS_NAMES[sizes.basis])
-        room = int((pieces + _MORE[figure]).sum())
-    values = np.empty(room, dtype=np.float32)
+        segments = segments_of_curves(counts, _abi.BASIS_NAMES[sizes.basis])
+        size = int((segments + _EXTRA_VALUES[figure]).sum())
+    values = np.empty(size, dtype=np.float32)
     context.raise_for(
         library().lancret_chunk_get_figures(
             chunk, _abi.FIGURES[figure], 0, pointer_to(values, c_float)
@@ -75,6 +77,5 @@ def figures_of(context: Context, chunk: int, figure: str) -> Floats:
 def info_of(context: Context, chunk: int) -> ChunkInfo:
     struct = _abi.ChunkInfo()
     context.raise_for(library().lancret_chunk_get_info(chunk, byref(struct)))
-    return ChunkInfo(
-        **{name: getattr(struct, name) for name, *_ in _abi.ChunkInfo._fields_[1:]}
-    )
+    names = [field.name for field in dataclasses.fields(ChunkInfo)]
+    return ChunkInfo(**{name: getattr(struct, name) for name in names})

@@ -1,4 +1,4 @@
-"""A C handle that is released once, and only when no call uses it."""
+"""A C handle that is released once, after the last call that uses it."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ _inside = threading.local()
 
 
 def in_a_call() -> bool:
-    """Whether the thread that asks is in a call of the library, from Python."""
+    """Whether Python code on the current thread is inside a call of the library."""
     return getattr(_inside, "depth", 0) > 0
 
 
 class Handle:
-    """`close` may be called at any time and from any thread: what uses the handle then
-    goes on, and the last to leave releases it."""
+    """`close` may be called at any time from any thread. Calls in progress continue, and
+    the last one releases the handle. `name` is for messages."""
 
-    def __init__(self, pointer: int, release: Callable[[int], None], what: str) -> None:
-        self._pointer, self._release, self._what = pointer, release, what
+    def __init__(self, pointer: int, release: Callable[[int], None], name: str) -> None:
+        self._pointer, self._release, self._name = pointer, release, name
         self._lock = threading.Lock()
         self._users, self._closed = 0, False
 
@@ -32,7 +32,7 @@ class Handle:
     def enter(self) -> int:
         with self._lock:
             if self._closed:
-                raise CallError(f"the {self._what} is closed")
+                raise CallError(f"the {self._name} is closed")
             self._users += 1
         return self._pointer
 

@@ -1,4 +1,4 @@
-"""Finds and loads liblancret_procedural.so, once, when something is first asked of it."""
+"""Finds and loads liblancret_procedural.so, once, on the first call."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ NAME = "liblancret_procedural.so"
 
 
 def candidates() -> list[str]:
-    """Where the library may be, best first: $LANCRET_LIBRARY alone where it is said; else
-    beside this package, in the tree's build folders, and where the system looks."""
-    said = os.environ.get("LANCRET_LIBRARY")
-    if said:
-        return [said]
+    """Paths to try, in order: only $LANCRET_LIBRARY if it is set; else beside this
+    package, in the build folders of the source tree, and in the system's search path."""
+    path = os.environ.get("LANCRET_LIBRARY")
+    if path:
+        return [path]
     package = Path(__file__).resolve().parent
     build = package.parent.parent / "build"
     files = [package / NAME]
@@ -29,45 +29,45 @@ def candidates() -> list[str]:
 
 
 def _missing(place: str, name: str) -> Callable[..., NoReturn]:
-    """Stands in for a function that an older library has not, until it is called."""
+    """Replaces a function that the library lacks; raises when it is called."""
 
     def refuse(*_arguments: object) -> NoReturn:
-        raise LibraryNotFound(f"{place}: has no {name}: an older version?")
+        raise LibraryNotFound(f"{place}: has no function {name}; is it an older version?")
 
     return refuse
 
 
 @functools.cache
 def library() -> ctypes.CDLL:
-    """The library, its functions declared. Raises LibraryNotFound."""
+    """The library with its functions declared. Raises LibraryNotFound."""
     faults = []
     for place in candidates():
         try:
-            found = ctypes.CDLL(place)
+            loaded = ctypes.CDLL(place)
             break
         except OSError as fault:
             faults.append(f"{place}: {fault}")
     else:
         raise LibraryNotFound(
-            f"no {NAME}; build Lancret, or say where it is by LANCRET_LIBRARY. Tried:\n  "
+            f"{NAME} not found; build Lancret, or set LANCRET_LIBRARY to its path. Tried:\n  "
             + "\n  ".join(faults)
         )
     for name, (result, arguments) in _abi.FUNCTIONS.items():
         try:
-            function = getattr(found, name)
+            function = getattr(loaded, name)
         except AttributeError:
-            setattr(found, name, _missing(place, name))
+            setattr(loaded, name, _missing(place, name))
             continue
         function.restype, function.argtypes = result, arguments
-    version = found.lancret_abi_version()
+    version = loaded.lancret_abi_version()
     if version != _abi.ABI_VERSION:
         raise LibraryNotFound(
-            f"{place}: is of ABI version {version}; this package needs {_abi.ABI_VERSION}"
+            f"{place}: has ABI version {version}; this package needs {_abi.ABI_VERSION}"
         )
-    return found
+    return loaded
 
 
 def version() -> str:
     """The library's version, such as "0.1.0"."""
-    said: bytes = library().lancret_version()
-    return said.decode()
+    text: bytes = library().lancret_version()
+    return text.decode()

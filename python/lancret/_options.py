@@ -1,4 +1,4 @@
-"""From what a caller asks for to lancret_options."""
+"""Converts keyword arguments to lancret_options."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _U32 = 2**32
 
 
 class Options(TypedDict, total=False):
-    """What `expand` may be asked for besides chunks and times."""
+    """The keyword arguments of `Groom.expand` besides chunks and times."""
 
     basis: Basis
     density: float
@@ -36,7 +36,7 @@ def chunk_index(chunk: int) -> int:
     except TypeError:
         raise CallError(f"chunk {chunk!r}: must be a whole number") from None
     if not 0 <= number < _U32:
-        raise CallError(f"chunk {number}: there is none")
+        raise CallError(f"chunk {number}: does not exist")
     return number
 
 
@@ -59,7 +59,7 @@ def options_of(
     unit: float = 0,
 ) -> _abi.Options:
     if basis not in _abi.BASES:
-        raise CallError(f"basis {basis!r}: is none of {', '.join(_abi.BASES)}")
+        raise CallError(f"basis {basis!r}: must be one of {', '.join(_abi.BASES)}")
     return _abi.Options(
         times=(c_double * len(times))(*times) if times else None,
         time_count=len(times),

@@ -1,4 +1,4 @@
-"""From what a caller gives to lancret_source."""
+"""Converts the arguments of `lancret.open` to lancret_source."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ Parameters = Mapping[str, Any]
 
 
 def pointer_to(array: npt.NDArray[Any] | None, kind: type[Any]) -> Any:
-    """A C pointer to an array's memory, null for none. The array must outlive it."""
+    """A C pointer to an array's memory; None for None. The array must outlive it."""
     if array is None:
         return None
     return array.ctypes.data_as(POINTER(kind))
 
 
 def flat(parameters: Parameters, table: str = "") -> Iterator[tuple[str, Any]]:
-    """{"strands": {"count": 5}} and {"strands.count": 5} alike as ("strands.count", 5)."""
+    """Yields ("strands.count", 5) for {"strands": {"count": 5}} and {"strands.count": 5}."""
     for key, value in parameters.items():
         name = f"{table}{key}"
         if isinstance(value, Mapping):
@@ -42,41 +42,41 @@ def _parameter(name: str, value: Any) -> _abi.Parameter:
         number = float(value)
     except (TypeError, ValueError, OverflowError):
         raise InputError(
-            f"{name}: {value!r} is neither text nor a number nor true or false; give "
-            "lists in the TOML"
+            f"{name}: {value!r} is neither text nor a number nor true or false; put "
+            "lists into the TOML"
         ) from None
     if isinstance(value, (int, np.integer)) and number != value:
-        raise InputError(f"{name}: {value} is beyond 2^53: give it in the TOML")
+        raise InputError(f"{name}: {value} is above 2^53; put it into the TOML")
     return _abi.Parameter(_bytes(name), None, number)
 
 
-def _of_strands(
-    strands: Strands, given: dict[str, Any], *, alone: bool
+def _with_defaults_of(
+    strands: Strands, parameters: dict[str, Any], *, has_toml: bool
 ) -> dict[str, Any]:
-    """What strands say of their scene, where `given` does not. alone: there is no TOML
-    that could say more."""
-    said: dict[str, Any] = {}
+    """`parameters`, completed by the unit, up axis and widths of the strands. has_toml:
+    the strands' unit is unknown unless they or `parameters` set it."""
+    values: dict[str, Any] = {}
     if strands.metres_per_unit is not None:
-        said["scene.metres_per_unit"] = strands.metres_per_unit
-    elif alone:
-        said["scene.metres_per_unit"] = 0.01
+        values["scene.metres_per_unit"] = strands.metres_per_unit
+    elif not has_toml:
+        values["scene.metres_per_unit"] = 0.01
     if strands.up is not None:
-        said["scene.up"] = strands.up
-    said |= given
+        values["scene.up"] = strands.up
+    values |= parameters
     taper = strands.taper()
-    if taper is not None and not {"width.root", "width.tip"} <= set(given):
-        if "scene.metres_per_unit" not in said:
+    if taper is not None and not {"width.root", "width.tip"} <= set(parameters):
+        if "scene.metres_per_unit" not in values:
             raise InputError(
-                "widths: of which unit? Say metres_per_unit of the strands, or give "
-                "width.root and width.tip, in cm, in `parameters`"
+                "widths: unknown unit; set metres_per_unit of the strands, or width.root "
+                "and width.tip, in cm, in `parameters`"
             )
-        cm = 100 * float(said["scene.metres_per_unit"])
-        said = {"width.root": taper[0] * cm, "width.tip": taper[1] * cm} | said
-    return said
+        cm = 100 * float(values["scene.metres_per_unit"])
+        values = {"width.root": taper[0] * cm, "width.tip": taper[1] * cm} | values
+    return values
 
 
 class Source:
-    """A lancret_source and everything that it points to."""
+    """A lancret_source and the memory that it points to."""
 
     def __init__(
         self,
@@ -91,14 +91,14 @@ class Source:
     ) -> None:
         if isinstance(source, str) and "\n" in source:
             if text is not None:
-                raise InputError("the TOML's text is given twice")
+                raise InputError("the text of the TOML is given twice")
             source, text = None, source
-        alone = source is None and not text
+        has_toml = source is not None or bool(text)
         if source is None and text is None and strands is not None:
-            text = ""  # nothing but the strands
+            text = ""  # the groom consists of the strands only
         values = dict(flat(parameters or {}))
         if strands is not None:
-            values = _of_strands(strands, values, alone=alone)
+            values = _with_defaults_of(strands, values, has_toml=has_toml)
         if not 0 <= chunk_strands < 2**32:
             raise InputError(f"chunk_strands: must be 0 or more, not {chunk_strands}")
         self._kept: list[object] = [strands, scalp]
@@ -124,13 +124,13 @@ def _bytes(value: str | os.PathLike[str] | None) -> bytes | None:
         return None
     encoded = os.fsencode(value)
     if b"\0" in encoded:
-        raise InputError("a text with a zero byte in it cannot be handed on")
+        raise InputError("text must not contain a zero byte")
     return encoded
 
 
 def _strands(strands: Strands) -> _abi.Strands:
     if strands.basis not in _abi.BASES:
-        raise InputError(f"basis: {strands.basis!r} is none of {', '.join(_abi.BASES)}")
+        raise InputError(f"basis {strands.basis!r}: must be one of {', '.join(_abi.BASES)}")
     return _abi.Strands(
         basis=_abi.BASES[strands.basis],
         strands=len(strands.counts),

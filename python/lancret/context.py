@@ -1,4 +1,4 @@
-"""What grooms share: loaded guides, a thread limit, a log and a way to stop."""
+"""The resources that grooms share: loaded guides, a thread limit, a log, cancellation."""
 
 from __future__ import annotations
 
@@ -16,25 +16,25 @@ from .errors import BY_STATUS, MEANINGS, CallError, Error, InternalError
 LogCallback = Callable[[str, str], None]
 CancelCallback = Callable[[], bool]
 
-# An error is raised as well, and so is none to log twice.
+# Errors are also raised, so their log entry is only for debugging.
 _LOGGING = {"info": logging.INFO, "warning": logging.WARNING, "error": logging.DEBUG}
 
 
 def log_to_logging(level: str, text: str) -> None:
-    """The default log: the logger "lancret" of Python's logging."""
+    """The default log: logging.getLogger("lancret")."""
     logging.getLogger("lancret").log(_LOGGING[level], text)
 
 
 class _Callbacks:
-    """What the library calls, from any thread. Keeps the first exception of a callback:
-    of a log on a thread that is in a call itself for that call; else for whichever call
-    ends first."""
+    """The callbacks of the library, called from any thread. Keeps the first exception of
+    a callback until a call raises it: an exception of `log` on a thread that is inside a
+    call is raised by that call, any other by the call that ends first."""
 
     def __init__(self, log: LogCallback, cancelled: CancelCallback | None) -> None:
         self._log, self._cancelled = log, cancelled
         self._lock = threading.Lock()
         self._raised: BaseException | None = None
-        self._own = threading.local()  # of a call that logs on its own thread
+        self._local = threading.local()  # for calls that log on their own thread
         self.c_log = _abi.Log(self.log)
         self.c_cancel = _abi.Cancel(self.cancel)
 
@@ -43,27 +43,27 @@ class _Callbacks:
             self._raised = self._raised or fault
 
     def take_raised(self) -> BaseException | None:
-        own: BaseException | None = self._own.__dict__.pop("raised", None)
-        if own is not None:
-            return own
+        local: BaseException | None = self._local.__dict__.pop("raised", None)
+        if local is not None:
+            return local
         with self._lock:
             raised, self._raised = self._raised, None
         return raised
 
     def take_error(self) -> str:
-        words: str = self._own.__dict__.pop("error", "")
-        return words
+        message: str = self._local.__dict__.pop("error", "")
+        return message
 
     def log(self, _user: int | None, level: int, text: bytes) -> None:
         try:
-            words = text.decode(errors="replace")
+            message = text.decode(errors="replace")
             name = _abi.LOG_LEVELS.get(level, "error")
             if name == "error":
-                self._own.error = words
-            self._log(name, words)
+                self._local.error = message
+            self._log(name, message)
         except BaseException as fault:  # noqa: BLE001 - must not reach C
             if in_a_call():
-                self._own.__dict__.setdefault("raised", fault)
+                self._local.__dict__.setdefault("raised", fault)
             else:
                 self.keep(fault)
 
@@ -78,16 +78,16 @@ class _Callbacks:
 
 
 class Context:
-    """Grooms of one context share guides that were loaded once, told by their files,
-    parameters and frame.
+    """Grooms of one context share their guides, which are cached by files, parameters and
+    frame.
 
-    threads: at most so many at once for one call; 0: as many as the machine has.
+    threads: maximum number of threads per call; 0: one per processor.
     log: called with "info", "warning" or "error" and a text, from any thread; by default
-        Python's logging. An exception in it comes out of the call that logged, where that
-        did so on its own thread.
-    cancelled: asked every few milliseconds of work, from a thread of its own; true ends
-        all calls with `Cancelled`. An exception in it ends them, and comes out of the
-        first to end.
+        Python's logging. If it raises on the thread of a call, that call raises the
+        exception.
+    cancelled: called every few milliseconds during work, on a separate thread. If it
+        returns True, all calls raise `Cancelled`. If it raises, all calls end, and the
+        first one to end raises the exception.
     """
 
     def __init__(
@@ -101,7 +101,7 @@ class Context:
         if not 0 <= threads < 2**31:
             raise CallError(f"threads: must be 0 or more, not {threads}")
         host = _abi.Host(log=self._callbacks.c_log, threads=threads)
-        if cancelled is not None:  # else nobody need be asked
+        if cancelled is not None:
             host.cancelled = self._callbacks.c_cancel
         pointer = ctypes.c_void_p()
         self.raise_for(
@@ -117,17 +117,18 @@ class Context:
         self.handle = Handle(pointer.value or 0, release, "context")
 
     def raise_for(self, status: int, text: str = "") -> None:
-        """Nothing for LANCRET_OK; else the error that the status stands for."""
-        raised, said = self._callbacks.take_raised(), self._callbacks.take_error()
+        """Raises the exception of a callback, or the error of the status; no-op for
+        LANCRET_OK. `text` replaces the logged message."""
+        raised, logged = self._callbacks.take_raised(), self._callbacks.take_error()
         if raised is not None:
             raise raised
         if status == _abi.OK:
             return
         kind: type[Error] = BY_STATUS.get(status, InternalError)
-        raise kind(text or said or MEANINGS.get(status, f"status {status}"))
+        raise kind(text or logged or MEANINGS.get(status, f"status {status}"))
 
     def close(self) -> None:
-        """Grooms that are still open keep what they need until they are closed."""
+        """Open grooms stay usable; the last one to be closed releases the context."""
         self.handle.close()
 
     def __enter__(self) -> Context:
@@ -142,5 +143,5 @@ class Context:
         self.close()
 
     def __del__(self) -> None:
-        if "handle" in self.__dict__:  # else it was never made
+        if "handle" in self.__dict__:  # missing if __init__ raised
             self.handle.close()

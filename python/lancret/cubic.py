@@ -1,4 +1,4 @@
-"""Uniform curves of every basis: how many pieces they have, and places on them."""
+"""Uniform curves of every basis: number of curve segments, sampling, conversion."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .errors import InputError
 
 Array = npt.NDArray[np.floating]
 
-#: Rows: powers 1, t, t^2, t^3; columns: the four control points of a piece.
+#: Rows: powers 1, t, t^2, t^3. Columns: the four control points of a segment.
 MATRICES: dict[str, npt.NDArray[np.float64]] = {
     "bspline": np.array([[1, 4, 1, 0], [-3, 0, 3, 0], [3, -6, 3, 0], [-1, 3, -3, 1]])
     / 6,
@@ -21,46 +21,47 @@ MATRICES: dict[str, npt.NDArray[np.float64]] = {
     / 2,
     "bezier": np.array([[1.0, 0, 0, 0], [-3, 3, 0, 0], [3, -6, 3, 0], [-1, 3, -3, 1]]),
 }
-#: Control points from one piece to the next.
+#: Number of control points from one segment to the next.
 STEPS = {"bspline": 1, "catmull-rom": 1, "bezier": 3, "linear": 1}
 
 
-def pieces_of(count: int, basis: str) -> int:
-    """How many pieces a curve of `count` control points has. Raises InputError where
-    there can be no such curve."""
+def segments_of(count: int, basis: str) -> int:
+    """Number of segments of a curve of `count` control points. Raises InputError if a
+    curve of the basis cannot have that many."""
     if basis == "linear":
-        pieces = count - 1
+        segments = count - 1
     elif count < 4 or (count - 4) % STEPS[basis]:
-        pieces = 0
+        segments = 0
     else:
-        pieces = (count - 4) // STEPS[basis] + 1
-    if pieces < 1:
+        segments = (count - 4) // STEPS[basis] + 1
+    if segments < 1:
         raise InputError(
-            f"a {basis} curve of {count} points is none: it needs "
+            f"a {basis} curve cannot have {count} points; it needs "
             + {"linear": "2 or more", "bezier": "4, 7, 10, ..."}.get(basis, "4 or more")
         )
-    return pieces
+    return segments
 
 
 def groups(
     counts: npt.NDArray[np.integer],
 ) -> Iterator[tuple[int, npt.NDArray[np.integer]]]:
-    """For each number of points: the strands that have it."""
+    """Yields each distinct number of points and the strands that have it."""
     for count in np.unique(counts):
         yield int(count), np.flatnonzero(counts == count)
 
 
 def sample(
-    points: Array, counts: npt.NDArray[np.integer], basis: str, a_piece: int
+    points: Array, counts: npt.NDArray[np.integer], basis: str, per_segment: int
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
-    """Places on curves at `a_piece` equal steps of the parameter in each piece, from the
-    first to the last: [points][k] and [strands]. Polylines give their corners."""
+    """Samples curves at `per_segment` equal steps of the parameter in each segment, ends
+    included: places [sum of counts][k] and counts [strands]. Returns polylines as they
+    are."""
     points, starts = np.asarray(points, dtype=np.float64), _starts(counts)
-    steps = 1 if basis == "linear" else a_piece
-    pieces = np.zeros(len(counts), dtype=np.int64)
+    steps = 1 if basis == "linear" else per_segment
+    segments = np.zeros(len(counts), dtype=np.int64)
     for count, strands in groups(counts):
-        pieces[strands] = pieces_of(count, basis)
-    made = pieces * steps + 1
+        segments[strands] = segments_of(count, basis)
+    made = segments * steps + 1
     out = np.empty((int(made.sum()), points.shape[1]))
     out_starts = _starts(made)
     for count, strands in groups(counts):
@@ -76,23 +77,23 @@ def _starts(counts: npt.NDArray[np.integer]) -> npt.NDArray[np.int64]:
 
 
 def _cubic_places(rows: Array, basis: str, steps: int) -> npt.NDArray[np.float64]:
-    """[strands][control points][k] to [strands][pieces * steps + 1][k]."""
+    """[strands][control points][k] to [strands][segments * steps + 1][k]."""
     strands, count, width = rows.shape
-    pieces = pieces_of(count, basis)
-    of_piece = STEPS[basis] * np.arange(pieces)[:, None] + np.arange(4)
+    segments = segments_of(count, basis)
+    of_segment = STEPS[basis] * np.arange(segments)[:, None] + np.arange(4)
     t = np.arange(steps) / steps
     weights = t[:, None] ** np.arange(4) @ MATRICES[basis]  # [steps][4]
-    places = np.einsum("tc,spck->sptk", weights, rows[:, of_piece])
-    last = np.einsum("c,sck->sk", MATRICES[basis].sum(axis=0), rows[:, of_piece[-1]])
+    places = np.einsum("tc,spck->sptk", weights, rows[:, of_segment])
+    last = np.einsum("c,sck->sk", MATRICES[basis].sum(axis=0), rows[:, of_segment[-1]])
     return np.concatenate(
-        [places.reshape(strands, pieces * steps, width), last[:, None]], axis=1
+        [places.reshape(strands, segments * steps, width), last[:, None]], axis=1
     )
 
 
 def hermite_as_bezier(
     points: Array, tangents: Array, counts: npt.NDArray[np.integer]
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
-    """Hermite points and derivatives as Bezier control points."""
+    """Converts Hermite points and derivatives to Bezier control points."""
     points, thirds = (
         np.asarray(points, np.float64),
         np.asarray(tangents, np.float64) / 3,
@@ -108,8 +109,8 @@ def hermite_as_bezier(
 def with_phantoms(
     values: Array, counts: npt.NDArray[np.integer]
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
-    """Each curve with a point more at either end, 2 p0 - p1: a B-spline or Catmull-Rom
-    curve then begins and ends at its own first and last point (USD's `pinned`)."""
+    """Adds a point 2 p0 - p1 to either end of each curve, so that a B-spline or
+    Catmull-Rom curve begins and ends at its original end points (USD's `pinned`)."""
     values = np.asarray(values, dtype=np.float64)
     starts, made = _starts(counts), np.asarray(counts, np.int64) + 2
     ends = starts + np.asarray(counts, np.int64) - 1

@@ -1,4 +1,4 @@
-"""What a chunk becomes: arrays that the library writes to without a copy between."""
+"""Expanded strands as arrays that the library writes to directly."""
 
 from __future__ import annotations
 
@@ -36,31 +36,30 @@ _ALIGNMENT = 16
 
 
 def aligned(shape: tuple[int, ...], dtype: type[np.generic] = np.float32) -> Any:
-    """An array, not set, whose memory begins at a multiple of 16 bytes."""
-    wanted = int(np.prod(shape, dtype=np.int64)) * np.dtype(dtype).itemsize
-    memory = np.empty(wanted + _ALIGNMENT, dtype=np.uint8)
+    """An uninitialised array whose memory is aligned to 16 bytes."""
+    size = int(np.prod(shape, dtype=np.int64)) * np.dtype(dtype).itemsize
+    memory = np.empty(size + _ALIGNMENT, dtype=np.uint8)
     start = -memory.ctypes.data % _ALIGNMENT
-    return memory[start : start + wanted].view(dtype).reshape(shape)
+    return memory[start : start + size].view(dtype).reshape(shape)
 
 
 @dataclasses.dataclass(eq=False)
 class Curves:
-    """Strands as control points; an array that was not asked for is None.
+    """Strands as control points. Arrays that were not requested are None.
 
-    Control points are those of uniform cubic curves that begin and end inside of theirs
-    ("bspline", "catmull-rom": without the outermost), or in pieces of three ("bezier"),
-    or points with derivatives ("hermite"), or the corners of a polyline ("linear").
+    Control points are those of uniform cubic curves. "bspline" and "catmull-rom" curves
+    begin and end inside of the outermost points; "bezier" curves share every third point;
+    "hermite" points come with derivatives. "linear" points are the corners of polylines.
 
-    Strands have as many points as they need, and stand by that in their chunk, not by
-    their ids: their order and counts may be others for another basis or max_error, and
-    are the same at all times.
+    The number of points varies per strand, and the strands of a chunk are sorted by it,
+    not by id. Order and counts depend on basis and max_error, but not on time.
     """
 
     basis: Basis
-    times: tuple[float, ...]  #: frames; () where none was asked for
-    counts: Counts  #: [strands] points of each
+    times: tuple[float, ...]  #: frame numbers; () if none were requested
+    counts: Counts  #: [strands] number of points
     positions: Floats  #: [times][points][4]: x y z radius
-    tangents: Floats | None = None  #: [times][points][4]; see the header
+    tangents: Floats | None = None  #: [times][points][4]; see lancret_procedural.h
     normals: Floats | None = None  #: [times][points][4]
     ids: Counts | None = None  #: [strands]
     root_uv: Floats | None = None  #: [strands][2]
@@ -85,16 +84,16 @@ class Curves:
 
     @functools.cached_property
     def first(self) -> npt.NDArray[np.int64]:
-        """[strands + 1] first point of each strand, then the end."""
+        """[strands + 1] index of the first point of each strand, then the end."""
         return starts_of(self.counts)
 
     @property
-    def pieces(self) -> npt.NDArray[np.int64]:
-        """[strands] curve segments of each."""
-        return pieces_of_curves(self.counts, self.basis)
+    def segments(self) -> npt.NDArray[np.int64]:
+        """[strands] number of curve segments."""
+        return segments_of_curves(self.counts, self.basis)
 
     def some(self, strands: npt.ArrayLike) -> Curves:
-        """Copies of some strands, by their numbers here, in that order."""
+        """Copies of the strands with these indices, in this order."""
         chosen = np.asarray(strands, dtype=np.int64)
         counts = self.counts[chosen]
         ends = starts_of(counts)
@@ -102,44 +101,45 @@ class Curves:
         return _part(self, chosen, points)
 
     def strand(self, index: int, time: int = 0) -> Floats:
-        """[points of it][4] of one strand, a view."""
+        """[points][4] of one strand, a view."""
         first = self.first
         return self.positions[time, first[index] : first[index + 1]]
 
     def places(
-        self, a_piece: int = 4, time: int = 0
+        self, per_segment: int = 4, time: int = 0
     ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
-        """Places on the curves: [places][4], x y z radius, `a_piece` steps each piece of
-        a cubic; and the first of each strand, then the end."""
+        """Samples the curves at `per_segment` steps in each cubic segment: places
+        [places][4], x y z radius, and [strands + 1] the index of each strand's first
+        place, then the end. `time` is an index into `times`."""
         values, counts, basis = self.positions[time], self.counts, self.basis
         if basis == "hermite":
             if self.tangents is None:
-                raise CallError("hermite curves without tangents have no places")
+                raise CallError("hermite curves cannot be sampled without tangents")
             places, made = cubic.sample(
                 *cubic.hermite_as_bezier(values, self.tangents[time], counts),
                 "bezier",
-                a_piece,
+                per_segment,
             )
         else:
-            places, made = cubic.sample(values, counts, basis, a_piece)
+            places, made = cubic.sample(values, counts, basis, per_segment)
         return places, starts_of(made)
 
 
-def pieces_of_curves(counts: Counts, basis: str) -> npt.NDArray[np.int64]:
-    """[strands] curve segments of each; hermite curves have as many as polylines."""
-    pieces = np.zeros(len(counts), dtype=np.int64)
+def segments_of_curves(counts: Counts, basis: str) -> npt.NDArray[np.int64]:
+    """[strands] number of curve segments; hermite curves have as many as polylines."""
+    segments = np.zeros(len(counts), dtype=np.int64)
     for count, strands in cubic.groups(counts):
-        pieces[strands] = cubic.pieces_of(
+        segments[strands] = cubic.segments_of(
             count, "linear" if basis == "hermite" else basis
         )
-    return pieces
+    return segments
 
 
 def attribute_bits(attributes: Collection[Attribute]) -> int:
     bits = 0
     for name in attributes:
         if name not in _abi.ATTRIBUTES:
-            raise CallError(f"attribute {name!r}: is none of {', '.join(ALL)}")
+            raise CallError(f"attribute {name!r}: must be one of {', '.join(ALL)}")
         bits |= _abi.ATTRIBUTES[name]
     return bits
 
@@ -153,32 +153,32 @@ def empty_curves(
     points: int,
     neighbours: int,
 ) -> Curves:
-    """Room for what was asked for, not set."""
+    """Curves whose requested arrays are allocated, but not initialised."""
     samples = max(1, len(times))
-    wanted = set(attributes) | ({"tangents"} if basis == "hermite" else set())
+    requested = set(attributes) | ({"tangents"} if basis == "hermite" else set())
 
-    def room(name: str, *shape: int, dtype: type[np.generic] = np.float32) -> Any:
-        return aligned(shape, dtype) if name in wanted else None
+    def array(name: str, *shape: int, dtype: type[np.generic] = np.float32) -> Any:
+        return aligned(shape, dtype) if name in requested else None
 
     return Curves(
         basis=basis,
         times=times,
         counts=np.empty(strands, dtype=np.uint32),
         positions=aligned((samples, points, 4)),
-        tangents=room("tangents", samples, points, 4),
-        normals=room("normals", samples, points, 4),
-        ids=room("ids", strands, dtype=np.uint32),
-        root_uv=room("root_uv", strands, 2),
-        lengths=room("lengths", strands),
-        guides=room("guides", strands, neighbours, dtype=np.uint32),
-        weights=room("guides", strands, neighbours),
-        arc_lengths=room("arc_lengths", points),
-        random=room("random", strands),
+        tangents=array("tangents", samples, points, 4),
+        normals=array("normals", samples, points, 4),
+        ids=array("ids", strands, dtype=np.uint32),
+        root_uv=array("root_uv", strands, 2),
+        lengths=array("lengths", strands),
+        guides=array("guides", strands, neighbours, dtype=np.uint32),
+        weights=array("guides", strands, neighbours),
+        arc_lengths=array("arc_lengths", points),
+        random=array("random", strands),
     )
 
 
 def part(whole: Curves, strands: slice, points: slice) -> Curves:
-    """Views of some strands and of their points."""
+    """Views of a range of strands and of their points."""
     return _part(whole, strands, points)
 
 
@@ -207,17 +207,17 @@ def _part(whole: Curves, strands: Any, points: Any) -> Curves:
 
 
 def _time_pointers(array: Floats | None) -> Any:
-    """float *const * to each time's rows, which lie together."""
+    """float *const * with a pointer to the rows of each time."""
     if array is None:
         return None
     rows = (POINTER(c_float) * len(array))(
         *(pointer_to(rows_of_time, c_float) for rows_of_time in array)
     )
-    return ctypes.cast(rows, _abi.FloatRows)  # keeps `rows`
+    return ctypes.cast(rows, _abi.FloatRows)  # keeps `rows` alive
 
 
 def buffers_of(curves: Curves) -> _abi.Curves:
-    """The struct that lancret_chunk_write writes through. `curves` must outlive it."""
+    """The struct for lancret_chunk_write. `curves` must outlive it."""
     return _abi.Curves(
         basis=_abi.BASES[curves.basis],
         strands=len(curves.counts),

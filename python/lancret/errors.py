@@ -1,34 +1,34 @@
-"""What can go wrong, with the library's own words."""
+"""The exceptions of this package. Their texts are the library's."""
 
 from __future__ import annotations
 
 
 class Error(Exception):
-    """Any failure of Lancret."""
+    """The base of all errors of Lancret."""
 
 
 class InputError(Error, ValueError):
-    """A file or a parameter is at fault: the text says which, and the line."""
+    """A file or a parameter is invalid; the text names it, and the line."""
 
 
 class CallError(Error):
-    """A call is at fault: an index out of range, a groom that was closed."""
+    """A call is invalid: an index out of range, an unknown name, a closed groom."""
 
 
 class OutOfMemory(Error, MemoryError):
-    """There is no memory left."""
+    """Memory is exhausted."""
 
 
 class Cancelled(Error):
-    """`cancelled` said so."""
+    """The `cancelled` callback returned True."""
 
 
 class LibraryNotFound(Error, ImportError):
-    """There is no liblancret_procedural.so, or one of another version."""
+    """liblancret_procedural.so is missing or has another version."""
 
 
 class InternalError(Error, RuntimeError):
-    """A mistake in Lancret."""
+    """A bug in Lancret."""
 
 
 #: By lancret_status.
@@ -40,9 +40,9 @@ BY_STATUS: dict[int, type[Error]] = {
     5: InternalError,
 }
 MEANINGS = {
-    1: "bad input",
-    2: "a call that cannot be: a null pointer, an index out of range, a bad option",
+    1: "invalid input",
+    2: "invalid call: a null pointer, an index out of range, an invalid option",
     3: "out of memory",
     4: "cancelled",
-    5: "a mistake in Lancret",
+    5: "internal error",
 }

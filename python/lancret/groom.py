@@ -1,9 +1,10 @@
-"""A groom that is open, and its strands."""
+"""An open groom and its strands."""
 
 from __future__ import annotations
 
 import contextlib
 import ctypes
+import dataclasses
 import functools
 from collections.abc import Collection, Iterable, Sequence
 from ctypes import byref, c_float, c_void_p
@@ -12,7 +13,7 @@ from typing import Any, Literal, Unpack
 
 import numpy as np
 
-from . import _abi, _chunk, _told
+from . import _abi, _chunk, _queries
 from ._handle import Handle
 from ._library import library
 from ._options import Options, Times, chunk_index, moments_of, options_of
@@ -23,14 +24,14 @@ from .errors import CallError
 from .figures import Check, ChunkInfo, Guides, Info
 from .geometry import Floats, Mesh
 
-#: Of the text of an error.
+#: Size of the buffer for the text of an error.
 ERROR_BYTES = 4096
 Figure = Literal["length_error", "orthogonality", "curvature", "torsion", "region"]
 
 
 class Groom:
-    """A groom that is open: guides fitted, strands told but not grown. Close it, or use
-    it in a `with`. Any number of threads may use one at once."""
+    """An open groom: guides are fitted and strands are placed, but not yet grown. Close
+    it, or use it in a `with` statement. Any number of threads may use it at once."""
 
     def __init__(self, context: Context, source: Source) -> None:
         self.context = context
@@ -56,10 +57,8 @@ class Groom:
                 context.handle.leave()
             raise
 
-    # ---- its life ----
-
     def close(self) -> None:
-        """Calls of other threads go on to their end; new ones raise CallError."""
+        """Calls in other threads finish normally; new calls raise CallError."""
         self._handle.close()
 
     @property
@@ -81,64 +80,60 @@ class Groom:
         if "_handle" in self.__dict__:
             self._handle.close()
 
-    # ---- what it is ----
-
     @functools.cached_property
     def info(self) -> Info:
         with self._handle.use() as groom:
-            return _told.info_of(self.context, groom)
+            return _queries.info_of(self.context, groom)
 
     @property
     def chunks(self) -> range:
-        """The chunks' numbers: `for chunk in groom.chunks: groom.expand(chunk)`."""
+        """The chunk numbers: `for chunk in groom.chunks: groom.expand(chunk)`."""
         return range(self.info.chunks)
 
     def guides(self) -> Guides:
         with self._handle.use() as groom:
-            return _told.guides_of(self.context, groom)
+            return _queries.guides_of(self.context, groom)
 
     def describe(self) -> dict[str, Any]:
-        """What guides were fitted to, and how well: groom_strands, guides, segments,
-        blend, fit, roots."""
+        """Details of the groom, such as the errors of the fit. Keys: groom_strands,
+        guides, segments, blend, fit, roots."""
         with self._handle.use() as groom:
-            return _told.description_of(self.context, groom)
+            return _queries.description_of(self.context, groom)
 
     def head(self, time: float | None = None) -> Mesh:
-        """What is seen of the head at a time (none: the first frame, or rest), in cm;
-        without vertices where there is none."""
-        at = float(self.info.first_frame if time is None else time)
+        """The visible mesh of the head at `time` (None: the first frame, or rest), in cm;
+        empty if there is no head."""
+        frame = float(self.info.first_frame if time is None else time)
         with self._handle.use() as groom:
-            return _told.head_of(self.context, groom, at)
+            return _queries.head_of(self.context, groom, frame)
 
     def is_still(self, times: float | Sequence[float]) -> bool:
-        """Whether guides and head are at all of these times where they are at the first,
-        so that the strands of one are those of all."""
+        """Whether guides and head are the same at all of these times, so that the strands
+        of one time are those of all."""
         with self._handle.use() as groom:
-            return _told.is_still(self.context, groom, moments_of(times))
+            return _queries.is_still(self.context, groom, moments_of(times))
 
-    # ---- strands ----
-
-    def bound(
+    def box(
         self,
         chunk: int,
         times: Times = None,
         kind: Literal["reach", "tight"] = "reach",
         **options: Unpack[Options],
     ) -> Floats:
-        """[2][3]: least and greatest corner of a box that holds a chunk at `times` and
-        between them. "reach" costs next to nothing and is wide; "tight" grows the chunk.
-        `options` are those of `expand`."""
+        """[2][3]: minimum and maximum corner of a bounding box of a chunk at `times` and
+        between them. "reach" is fast and wide; "tight" grows the chunk. `options`: as in
+        `expand`."""
         kinds = {"reach": _abi.REACH, "tight": _abi.TIGHT}
         if kind not in kinds:
-            raise CallError(f"kind {kind!r}: is neither 'reach' nor 'tight'")
-        box = (c_float * 6)()
-        asked = options_of(moments_of(times), **options)
+            raise CallError(f"kind {kind!r}: must be 'reach' or 'tight'")
+        corners = (c_float * 6)()
+        struct = options_of(moments_of(times), **options)
         with self._handle.use() as groom:
             status = library().lancret_groom_get_chunk_box(
-                groom, chunk_index(chunk), byref(asked), kinds[kind], box
+                groom, chunk_index(chunk), byref(struct), kinds[kind], corners
             )
         self.context.raise_for(status)
-        return np.array(box, dtype=np.float32).reshape(2, 3)
+        return np.array(corners, dtype=np.float32).reshape(2, 3)
 
     def expand(
         self,
@@ -153,18 +148,18 @@ class Groom:
         strands_per_pixel: float = 0,
         unit: float = 0,
     ) -> Curves:
-        """Grows a chunk, some chunks, or all of them (None), into one set of arrays.
+        """Grows one chunk, several, or all (None) into one set of arrays.
 
-        times: frames, up to 256; none: the first, or rest.
-        density: share of the strands that are grown, wider; 0: the groom's own.
-        max_error: that curves may be off the strands, in the units given back; 0: the
-            groom's own tolerance.
-        pixels, strands_per_pixel: level of detail: how many the chunk covers, and at most
-            how many strands each shall have.
-        unit: cm of a unit of what is given back; 0: 1.
+        times: frame numbers, at most 256; None: the first frame, or rest.
+        density: fraction of the strands to grow; fewer strands are wider. 0: the groom's.
+        max_error: maximum distance from a curve to its strand, in units of the result;
+            0: the groom's tolerance.
+        pixels, strands_per_pixel: level of detail: the number of pixels that the chunk
+            covers, and the maximum number of strands per pixel.
+        unit: length unit of the result in cm; 0: 1 cm.
         """
         moments = moments_of(times)
-        asked = options_of(
+        struct = options_of(
             moments,
             basis,
             density,
@@ -175,14 +170,12 @@ class Groom:
             unit,
         )
         numbers = self._numbers(chunk)
-        with self._handle.use() as groom, contextlib.ExitStack() as until_done:
-            opened = [
-                until_done.enter_context(
-                    _chunk.bound(self.context, groom, number, asked)
-                )
+        with self._handle.use() as groom, contextlib.ExitStack() as stack:
+            handles = [
+                stack.enter_context(_chunk.opened(self.context, groom, number, struct))
                 for number in numbers
             ]
-            sizes = [_chunk.sizes_of(self.context, handle) for handle in opened]
+            sizes = [_chunk.sizes_of(self.context, handle) for handle in handles]
             whole = empty_curves(
                 basis,
                 moments,
@@ -192,7 +185,7 @@ class Groom:
                 neighbours=max((size.neighbours for size in sizes), default=0),
             )
             strand = point = 0
-            for handle, size in zip(opened, sizes):
+            for handle, size in zip(handles, sizes):
                 strands = slice(strand, strand + size.strands)
                 points = slice(point, point + size.points)
                 buffers = buffers_of(part(whole, strands, points))
@@ -209,22 +202,22 @@ class Groom:
         time: float | None = None,
         **options: Unpack[Options],
     ) -> Floats:
-        """A figure of the strands that `expand` gives of the same chunks and options, one
-        strand after another; a strand of n `pieces` has
+        """A figure of the strands that `expand` returns for the same chunks and options,
+        one strand after another. Values per strand with n `segments`:
 
-        "length_error": one, relative, of what was synthesised;
-        "region": one, its number;
-        "orthogonality": n + 1, at the ends of its pieces, |R^T R - 1| of the frame;
-        "curvature", "torsion": n, in its pieces, 1/cm; torsion above 0 is right-handed.
+        "length_error": 1, relative error of the strand's length;
+        "region": 1, number of its region;
+        "orthogonality": n + 1, |R^T R - 1| of the frame at the ends of segments;
+        "curvature", "torsion": n, 1/cm in each segment; torsion > 0 is right-handed.
 
-        What is no finite number is the largest float32. Raises InputError for the torsion
-        of frames that are carried without twist, and the region where there are none.
+        Values that are not finite are returned as the largest float32. Raises InputError
+        for "torsion" if frames are twist-free, and for "region" if there are no regions.
         """
-        asked = options_of(moments_of(time), **options)
+        struct = options_of(moments_of(time), **options)
         parts, numbers = [np.empty(0, dtype=np.float32)], self._numbers(chunk)
         with self._handle.use() as groom:
             for number in numbers:
-                with _chunk.bound(self.context, groom, number, asked) as handle:
+                with _chunk.opened(self.context, groom, number, struct) as handle:
                     parts.append(_chunk.figures_of(self.context, handle, figure))
         return np.concatenate(parts)
 
@@ -234,12 +227,12 @@ class Groom:
         time: float | None = None,
         **options: Unpack[Options],
     ) -> ChunkInfo:
-        """What binding had to work around, of some chunks or all (None) together."""
-        asked = options_of(moments_of(time), **options)
-        joined, numbers = ChunkInfo(0, 0, 0, 0, 0, 0, 0, 0), self._numbers(chunk)
+        """The counters of binding, summed over some chunks or all (None)."""
+        struct = options_of(moments_of(time), **options)
+        joined, numbers = ChunkInfo(), self._numbers(chunk)
         with self._handle.use() as groom:
             for number in numbers:
-                with _chunk.bound(self.context, groom, number, asked) as handle:
+                with _chunk.opened(self.context, groom, number, struct) as handle:
                     joined = joined.joined(_chunk.info_of(self.context, handle))
         return joined
 
@@ -254,18 +247,18 @@ class Groom:
         times: Times = None,
         **options: Unpack[Options],
     ) -> Check:
-        """Looks at every strand of some chunks, or of all (None), at the first of
+        """Checks every strand of some chunks, or of all (None), at the first of
         `times`."""
-        asked = options_of(moments_of(times), **options)
-        joined, numbers = Check(0, 0, 0, 0.0, 0.0, 0.0, 0.0), self._numbers(chunk)
+        struct = options_of(moments_of(times), **options)
+        joined, numbers = Check(), self._numbers(chunk)
+        names = [field.name for field in dataclasses.fields(Check)]
         with self._handle.use() as groom:
             for number in numbers:
-                struct = _abi.Check()
+                check = _abi.Check()
                 self.context.raise_for(
                     library().lancret_groom_check_chunk(
-                        groom, chunk_index(number), byref(asked), byref(struct)
+                        groom, chunk_index(number), byref(struct), byref(check)
                     )
                 )
-                names = [name for name, *_ in _abi.Check._fields_[1:]]
-                joined = joined.joined(Check(*(getattr(struct, n) for n in names)))
+                joined = joined.joined(Check(*(getattr(check, n) for n in names)))
         return joined

@@ -1,4 +1,4 @@
-"""Pictures and plots for a notebook, by matplotlib (pip install lancret[notebook]).
+"""Pictures and plots for notebooks, with matplotlib (pip install lancret[notebook]).
 
 lancret.notebook.picture(groom.expand(0))
 lancret.notebook.histograms(groom.expand())
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 Doubles = npt.NDArray[np.float64]
 
-#: Name, the axis to the right and the one upwards, for Y up.
+#: Name, axis to the right and axis upwards, for Y up.
 _VIEWS = (("front", 0, 1), ("side", 2, 1), ("top", 0, 2))
 
 
@@ -36,19 +36,19 @@ def picture(
     curves: Curves,
     *,
     time: int = 0,
-    most: int = 2000,
+    max_strands: int = 2000,
     up: int = 1,
     size: float = 4,
     colour: str | None = None,
 ) -> Any:
-    """A figure with three views of strands as lines, seen along the axes; at most `most`
-    of them, evenly chosen. `up` is the axis that points up, 1 for Y and 2 for Z; `time`
-    the number of one of the curves' times. Roots are dark and tips light, unless `colour`
-    says otherwise."""
+    """A figure with views of the strands along the three axes, as lines. Draws at most
+    `max_strands`, evenly chosen. `up`: the axis that points up, 1 for Y and 2 for Z.
+    `time`: an index into the curves' times. Without `colour`, roots are dark and tips
+    light."""
     pyplot = _pyplot()
     from matplotlib.collections import LineCollection
 
-    lines = _lines(curves, time, most)
+    lines = _lines(curves, time, max_strands)
     figure, axes = pyplot.subplots(
         1, len(_VIEWS), figsize=(size * len(_VIEWS), size), layout="constrained"
     )
@@ -56,59 +56,59 @@ def picture(
     for axis, (name, across, upwards) in zip(axes, _VIEWS):
         columns = order[[across, upwards]]
         flat = [line[:, columns] for line in lines]
-        pieces = np.concatenate([np.stack([f[:-1], f[1:]], axis=1) for f in flat])
+        segments = np.concatenate([np.stack([f[:-1], f[1:]], axis=1) for f in flat])
         along = np.concatenate([np.linspace(0, 1, len(f) - 1) for f in flat])
-        look = {"colors": colour} if colour else {"array": along, "cmap": "copper"}
+        style = {"colors": colour} if colour else {"array": along, "cmap": "copper"}
         axis.add_collection(
-            LineCollection(list(pieces), linewidths=0.6, alpha=0.7, **look)
+            LineCollection(list(segments), linewidths=0.6, alpha=0.7, **style)
         )
         axis.autoscale()
         axis.set_aspect("equal")
-        if name == "top" and up == 1:  # seen from above, Z comes down the page
+        if name == "top" and up == 1:  # from above, Z points down the page
             axis.invert_yaxis()
         axis.set_title(name)
         axis.set_xlabel("xyz"[columns[0]])
         axis.set_ylabel("xyz"[columns[1]])
-    pyplot.close(figure)  # a notebook shows what a cell returns: once, not twice
+    pyplot.close(figure)  # else a notebook shows it twice, as it shows the cell's result
     return figure
 
 
-def _lines(curves: Curves, time: int, most: int) -> list[Doubles]:
-    """Places along some of the strands."""
+def _lines(curves: Curves, time: int, max_strands: int) -> list[Doubles]:
+    """Places along at most `max_strands` strands."""
     if not len(curves):
         raise InputError("there are no strands to draw")
-    if most < 1:
-        raise InputError(f"most: must be 1 or more, not {most}")
-    some = np.unique(
-        np.linspace(0, len(curves) - 1, min(most, len(curves))).astype(int)
+    if max_strands < 1:
+        raise InputError(f"max_strands: must be 1 or more, not {max_strands}")
+    chosen = np.unique(
+        np.linspace(0, len(curves) - 1, min(max_strands, len(curves))).astype(int)
     )
-    places, first = curves.some(some).places(time=time)
+    places, first = curves.some(chosen).places(time=time)
     return [places[a:b, :3] for a, b in zip(first[:-1], first[1:])]
 
 
 def lengths_and_curvatures(curves: Curves, *, time: int = 0) -> tuple[Doubles, Doubles]:
-    """Lengths of strands, and curvatures at places inside of them (of the circle through
-    three neighbouring places), in the units of the curves and one over them; none of
-    strands of two places."""
+    """[strands] lengths, and curvatures at all inner places (of the circle through three
+    consecutive places), in the curves' unit and its inverse. A strand of two places has
+    no curvature."""
     if not len(curves):
         raise InputError("there are no strands to measure")
     places, first = curves.places(time=time)
     steps = np.diff(places[:, :3], axis=0)
     chords = np.linalg.norm(steps, axis=1)
     inside = np.ones(len(chords), dtype=bool)
-    inside[first[1:-1] - 1] = False  # from one strand to the next
+    inside[first[1:-1] - 1] = False  # steps from one strand to the next
     lengths = np.add.reduceat(np.where(inside, chords, 0), first[:-1])
     turn = np.linalg.norm(np.cross(steps[:-1], steps[1:]), axis=1)
     across = np.linalg.norm(steps[:-1] + steps[1:], axis=1)
     product = chords[:-1] * chords[1:] * across
-    good = inside[:-1] & inside[1:] & (product > 0)
-    return lengths, 2 * turn[good] / product[good]
+    valid = inside[:-1] & inside[1:] & (product > 0)
+    return lengths, 2 * turn[valid] / product[valid]
 
 
 def histograms(
     curves: Curves, *, time: int = 0, bins: int = 60, size: float = 4
 ) -> Any:
-    """A figure with how long strands are, and how much they bend."""
+    """A figure with histograms of lengths and curvatures."""
     pyplot = _pyplot()
     lengths, curvatures = lengths_and_curvatures(curves, time=time)
     figure, axes = pyplot.subplots(
@@ -120,6 +120,6 @@ def histograms(
     axes[0].hist(lengths, bins=bins)
     axes[0].set(xlabel="length", ylabel="strands")
     axes[1].hist(shown, bins=bins)
-    axes[1].set(xlabel="curvature, without the greatest 0.5 %", ylabel="places")
+    axes[1].set(xlabel="curvature, without the largest 0.5 %", ylabel="places")
     pyplot.close(figure)
     return figure

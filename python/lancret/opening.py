@@ -1,4 +1,4 @@
-"""Opens, fits and measures grooms."""
+"""Opens, fits and evaluates grooms."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .groom import ERROR_BYTES, Groom
 Path = str | os.PathLike[str]
 
 
-def open(  # noqa: A001 - lancret.open is what it is called
+def open(  # noqa: A001 - used as lancret.open
     source: Path | None = None,
     *,
     text: str | None = None,
@@ -35,18 +35,18 @@ def open(  # noqa: A001 - lancret.open is what it is called
 ) -> Groom:
     """Opens a groom.
 
-    source: a .toml, .hair or .h5 file, or the text of a TOML (told by its line breaks).
-    text, folder: the TOML's text, and where file names in it start from; errors then name
-        `source`.
-    parameters: laid over the TOML, {"strands.count": 5000} or {"strands": {"count": 5000}}.
-    strands, scalp: from memory, in place of the groom's files. What the strands know of
-        units, axes and widths goes before the TOML, `parameters` before that.
-    chunk_strands: at most so many strands a chunk; 0: 4096.
-    threads, log, cancelled: see Context; or a `context` that several grooms share.
+    source: a .toml, .hair or .h5 file, or the text of a TOML, if it has line breaks.
+    text, folder: the text of a TOML, and the folder that file names in it are relative
+        to; error messages then name `source`.
+    parameters: override the TOML: {"strands.count": 5000} or {"strands": {"count": 5000}}.
+    strands, scalp: in memory, instead of the groom's files. The unit, up axis and widths
+        of the strands override the TOML; `parameters` override both.
+    chunk_strands: maximum number of strands per chunk; 0: 4096.
+    threads, log, cancelled: see Context. Or pass a `context`, to share it.
 
-    Raises InputError with the file and line.
+    Raises InputError with file and line.
     """
-    given = Source(
+    groom_source = Source(
         source,
         text=text,
         folder=folder,
@@ -56,16 +56,16 @@ def open(  # noqa: A001 - lancret.open is what it is called
         chunk_strands=chunk_strands,
     )
     if context is not None:
-        return Groom(context, given)
-    own = Context(threads=threads, log=log, cancelled=cancelled)
+        return Groom(context, groom_source)
+    new_context = Context(threads=threads, log=log, cancelled=cancelled)
     try:
-        return Groom(own, given)
+        return Groom(new_context, groom_source)
     finally:
-        own.close()  # lives on as long as the groom
+        new_context.close()  # the groom keeps it alive
 
 
-class How(TypedDict, total=False):
-    """What `open` may be given besides a source and a context."""
+class OpenOptions(TypedDict, total=False):
+    """The keyword arguments of `open` besides the source and the context."""
 
     text: str | None
     folder: Path | None
@@ -79,10 +79,13 @@ class How(TypedDict, total=False):
 
 
 def fit(
-    source: Path | None = None, *, context: Context | None = None, **how: Unpack[How]
+    source: Path | None = None,
+    *,
+    context: Context | None = None,
+    **options: Unpack[OpenOptions],
 ) -> Guides:
-    """Super-Helix guides fitted to a groom's strands; `how` as for `open`."""
-    with open(source, context=context, **how) as groom:
+    """Super-Helix guides fitted to a groom's strands. `options`: as in `open`."""
+    with open(source, context=context, **options) as groom:
         return groom.guides()
 
 
@@ -96,9 +99,9 @@ def evaluate(
     scalp: Mesh | None = None,
     context: Context | None = None,
 ) -> dict[str, Any]:
-    """Leave-out measurement of a dense groom: each blend's figures, in the form of
+    """Evaluates each blend on held-out strands of a dense groom; the same report as
     `lancret evaluate --json`."""
-    given = Source(
+    groom_source = Source(
         source,
         text=text,
         folder=folder,
@@ -106,14 +109,14 @@ def evaluate(
         strands=strands,
         scalp=scalp,
     )
-    own = context or Context()
+    used_context = context or Context()
     parts: list[bytes] = []
-    sink = _abi.TextSink(lambda _user, part_of_it: parts.append(part_of_it))
+    sink = _abi.TextSink(lambda _user, part: parts.append(part))
     error = ctypes.create_string_buffer(ERROR_BYTES)
-    with own.handle.use() as host:
+    with used_context.handle.use() as handle:
         status = library().lancret_context_evaluate(
-            host, byref(given.struct), sink, None, error, ERROR_BYTES
+            handle, byref(groom_source.struct), sink, None, error, ERROR_BYTES
         )
-    own.raise_for(status, error.value.decode(errors="replace"))
+    used_context.raise_for(status, error.value.decode(errors="replace"))
     report: dict[str, Any] = json.loads(b"".join(parts))
     return report

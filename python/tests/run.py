@@ -1,6 +1,6 @@
-"""Runs the tests as CTest does; 77 says that there is nothing to run them with.
+"""Runs the tests for CTest. Exits with 77 if there is no Python to run them with.
 
---with-usd: those of USD and the slow ones, with the Python that $LANCRET_USD_PYTHON names (scripts/usd-python makes one).
+The interpreter is that of build/python (scripts/test-python makes it), else the one that runs this file.
 """
 
 import importlib.util
@@ -10,25 +10,19 @@ import unittest
 from pathlib import Path
 
 SKIPPED = 77
+PYTHON = Path(__file__).resolve().parents[2] / "build" / "python" / "bin" / "python"
 
 
 def main() -> int:
-    with_usd = "--with-usd" in sys.argv
-    python = os.environ.pop("LANCRET_USD_PYTHON", "")
-    if with_usd and python:
-        os.execv(python, [python, __file__, "--with-usd"])
-    needed = ["numpy", "pxr"] if with_usd else ["numpy"]
-    missing = [name for name in needed if importlib.util.find_spec(name) is None]
-    if missing:
-        print(f"skipped: {sys.executable} has no {' and no '.join(missing)}")
+    if PYTHON.is_file() and Path(sys.prefix).resolve() != PYTHON.parents[1].resolve():
+        os.execv(PYTHON, [str(PYTHON), "-B", __file__])
+    if importlib.util.find_spec("numpy") is None:
+        print(f"skipped: {sys.executable} has no numpy; scripts/test-python installs it")
         return SKIPPED
     root = Path(__file__).resolve().parent.parent
     sys.path.insert(0, str(root))
     os.chdir(root)
-    tests = unittest.TestSuite(
-        unittest.defaultTestLoader.discover("tests", pattern, root)
-        for pattern in (["test_usd*.py", "slow_*.py"] if with_usd else ["test*.py"])
-    )
+    tests = unittest.defaultTestLoader.discover("tests", "test*.py", root)
     result = unittest.TextTestRunner().run(tests)
     for reason in sorted({reason for _, reason in result.skipped}):
         print(f"skipped: {reason}")

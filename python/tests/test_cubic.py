@@ -19,7 +19,7 @@ class Cubic(unittest.TestCase):
         places, _ = cubic.sample(points, np.array([7]), "catmull-rom", 5)
         np.testing.assert_allclose(places[::5], points[1:-1], atol=1e-14)
 
-    def test_bezier_pieces_are_de_casteljaus(self):
+    def test_bezier_segments_agree_with_de_casteljau(self):
         points = np.random.default_rng(2).normal(size=(7, 3))
         places, counts = cubic.sample(points, np.array([7]), "bezier", 2)
         rows = points[3:].copy()
@@ -42,14 +42,14 @@ class Cubic(unittest.TestCase):
         counts = np.array([2, 5])
         points = np.random.default_rng(3).normal(size=(7, 3))
         ends, made = cubic.with_phantoms(points, counts)
-        places, pieces = cubic.sample(ends, made, "bspline", 1)
+        places, segments = cubic.sample(ends, made, "bspline", 1)
         self.assertEqual(made.tolist(), [4, 7])
-        self.assertEqual(pieces.tolist(), [2, 5])
+        self.assertEqual(segments.tolist(), [2, 5])
         np.testing.assert_allclose(
             places[[0, 1, 2, 6]], points[[0, 1, 2, 6]], atol=1e-14
         )
 
-    def test_hermite_pieces_begin_and_end_with_their_derivatives(self):
+    def test_hermite_segments_begin_and_end_with_their_derivatives(self):
         random = np.random.default_rng(4)
         points, tangents = random.normal(size=(5, 4)), random.normal(size=(5, 4))
         made, counts = cubic.hermite_as_bezier(points, tangents, np.array([3, 2]))
@@ -58,7 +58,7 @@ class Cubic(unittest.TestCase):
         np.testing.assert_allclose(3 * (made[1] - made[0]), tangents[0], atol=1e-14)
         np.testing.assert_allclose(3 * (made[6] - made[5]), tangents[2], atol=1e-14)
 
-    def test_of_no_curves_there_are_no_places(self):
+    def test_no_curves_have_no_places(self):
         nothing, counts = np.empty((0, 4)), np.empty(0, np.uint32)
         for made, sizes in (
             cubic.sample(nothing, counts, "bspline", 4),
@@ -67,12 +67,12 @@ class Cubic(unittest.TestCase):
         ):
             self.assertEqual((made.shape, sizes.shape), ((0, 4), (0,)))
 
-    def test_counts_that_make_no_curve_are_refused(self):
+    def test_counts_that_are_impossible_for_a_basis_are_refused(self):
         for count, basis in (
             (1, "linear"),
             (3, "bspline"),
             (5, "bezier"),
             (3, "bezier"),
         ):
-            with self.assertRaisesRegex(InputError, f"{basis} curve of {count} points"):
-                cubic.pieces_of(count, basis)
+            with self.assertRaisesRegex(InputError, f"{basis} curve cannot have {count} points"):
+                cubic.segments_of(count, basis)

@@ -1,4 +1,4 @@
-"""What is refused before the library sees it, and how it is found."""
+"""Validation of arguments in Python, and how the library is found."""
 
 import dataclasses
 import os
@@ -32,7 +32,7 @@ class Input(unittest.TestCase):
         ):
             Source(None, parameters={"scene": {"up": [0, 1]}})
 
-    def test_text_is_told_by_its_line_breaks(self):
+    def test_a_source_with_line_breaks_is_the_text_of_a_toml(self):
         source = Source("[guides]\n")
         self.assertEqual(
             (source.struct.text, source.struct.path), (b"[guides]\n", None)
@@ -40,7 +40,7 @@ class Input(unittest.TestCase):
         source = Source("head.toml", text="")
         self.assertEqual((source.struct.text, source.struct.path), (b"", b"head.toml"))
 
-    def test_what_strands_know_of_their_scene_goes_before_the_toml(self):
+    def test_unit_axis_and_widths_of_strands_override_the_toml(self):
         strands = lancret.Strands(
             points=np.zeros((4, 3)),
             counts=[2, 2],
@@ -50,46 +50,46 @@ class Input(unittest.TestCase):
         )
         source = Source(None, strands=strands, parameters={"width": {"tip": 7}})
         count = source.struct.parameter_count
-        said = {p.name: p.text or p.number for p in source.struct.parameters[:count]}
-        self.assertEqual(said[b"scene.up"], b"Z")
-        self.assertEqual(said[b"scene.metres_per_unit"], 0.001)
-        self.assertAlmostEqual(said[b"width.root"], 0.05)
-        self.assertEqual(said[b"width.tip"], 7)
+        values = {p.name: p.text or p.number for p in source.struct.parameters[:count]}
+        self.assertEqual(values[b"scene.up"], b"Z")
+        self.assertEqual(values[b"scene.metres_per_unit"], 0.001)
+        self.assertAlmostEqual(values[b"width.root"], 0.05)
+        self.assertEqual(values[b"width.tip"], 7)
 
-    def widths_told(self, text=None, parameters=None, **scene):
+    def widths_given(self, text=None, parameters=None, **scene):
         strands = lancret.Strands(
             np.zeros((4, 3)), counts=[2, 2], widths=[0.5, 0.25] * 2, **scene
         )
         source = Source(None, text=text, strands=strands, parameters=parameters)
         count = source.struct.parameter_count
-        said = {p.name: p.number for p in source.struct.parameters[:count]}
-        return said.get(b"width.root"), said.get(b"width.tip")
+        values = {p.name: p.number for p in source.struct.parameters[:count]}
+        return values.get(b"width.root"), values.get(b"width.tip")
 
-    def test_widths_are_in_the_unit_that_holds(self):
+    def test_widths_are_in_the_unit_in_effect(self):
         toml = "[scene]\nmetres_per_unit = 1\n"
         unit = {"scene.metres_per_unit": 0.5}
-        self.assertEqual(self.widths_told(), (0.5, 0.25))
-        self.assertEqual(self.widths_told(metres_per_unit=1.0), (50, 25))
-        self.assertEqual(self.widths_told(toml, unit), (25, 12.5))
+        self.assertEqual(self.widths_given(), (0.5, 0.25))
+        self.assertEqual(self.widths_given(metres_per_unit=1.0), (50, 25))
+        self.assertEqual(self.widths_given(toml, unit), (25, 12.5))
         self.assertEqual(
-            self.widths_told(toml, unit, metres_per_unit=0.001), (25, 12.5)
+            self.widths_given(toml, unit, metres_per_unit=0.001), (25, 12.5)
         )
-        with self.assertRaisesRegex(lancret.InputError, "widths: of which unit"):
-            self.widths_told(toml)
+        with self.assertRaisesRegex(lancret.InputError, "widths: unknown unit"):
+            self.widths_given(toml)
         cm = {"width": {"root": 3, "tip": 2}}
-        self.assertEqual(self.widths_told(toml, cm), (3, 2))
+        self.assertEqual(self.widths_given(toml, cm), (3, 2))
 
-    def test_what_would_not_arrive_as_it_is_is_refused(self):
-        for parameters, said in (
-            ({"strands.seed": 2**53 + 1}, "strands.seed: 9007199254740993 is beyond"),
+    def test_values_that_c_cannot_represent_are_refused(self):
+        for parameters, message in (
+            ({"strands.seed": 2**53 + 1}, "strands.seed: 9007199254740993 is above"),
             ({"strands.blend": "detail\0xx"}, "zero byte"),
             ({"strands.blend\0xx": "detail"}, "zero byte"),
         ):
-            with self.assertRaisesRegex(lancret.InputError, said):
+            with self.assertRaisesRegex(lancret.InputError, message):
                 Source(None, parameters=parameters)
         Source(None, parameters={"strands.seed": 2**53, "strands.count": np.int64(3)})
 
-    def test_what_was_checked_stays_so(self):
+    def test_strands_are_immutable_and_validated_when_replaced(self):
         strands = lancret.Strands(np.zeros((4, 3)), counts=[4])
         with self.assertRaises(dataclasses.FrozenInstanceError):
             strands.points = np.zeros((2, 3))
@@ -98,29 +98,29 @@ class Input(unittest.TestCase):
         turned = dataclasses.replace(strands, points=strands.points[:, [0, 2, 1]])
         self.assertTrue(turned.points.flags.c_contiguous)
 
-    def test_arrays_that_fit_are_handed_on_without_a_copy(self):
+    def test_arrays_of_the_right_type_are_not_copied(self):
         points = np.zeros((4, 3), np.float32)
         counts = np.array([4], np.uint32)
         strands = lancret.Strands(points, counts)
         source = Source(None, strands=strands)
-        handed = source.struct.strands.contents
-        address = np.ctypeslib.as_array(handed.points, (4, 3)).ctypes.data
+        struct = source.struct.strands.contents
+        address = np.ctypeslib.as_array(struct.points, (4, 3)).ctypes.data
         self.assertEqual(address, points.ctypes.data)
         self.assertIs(strands.counts, counts)
 
-    def test_arrays_that_do_not_fit_are_refused(self):
-        for points, counts, said in (
+    def test_arrays_of_wrong_shape_or_range_are_refused(self):
+        for points, counts, message in (
             (np.zeros((4, 2)), [4], "shape"),
-            (np.zeros((4, 3)), [3], "say 3 points in all; there are 4"),
+            (np.zeros((4, 3)), [3], "sum is 3, but there are 4 points"),
             (np.zeros((4, 3)), [-1, 5], "from 0 to"),
             (np.zeros((4, 3)), [1, 3], "a strand has 1 points"),
             (np.zeros((4, 3)), [4.0], "whole numbers"),
         ):
-            with self.assertRaisesRegex(lancret.InputError, said):
+            with self.assertRaisesRegex(lancret.InputError, message):
                 lancret.Strands(points, counts)
-        with self.assertRaisesRegex(lancret.InputError, "least that a bspline"):
+        with self.assertRaisesRegex(lancret.InputError, "bspline strand needs 4 or more"):
             lancret.Strands(np.zeros((3, 3)), [3], basis="bspline")
-        with self.assertRaisesRegex(lancret.InputError, "uvs: has the shape"):
+        with self.assertRaisesRegex(lancret.InputError, "uvs: shape is"):
             lancret.Mesh(np.zeros((3, 3)), [[0, 1, 2]], uvs=np.zeros((3, 2)))
 
 
@@ -134,17 +134,17 @@ class Library(unittest.TestCase):
             text=True,
         )
 
-    def test_the_package_is_there_without_the_library_until_it_is_asked(self):
-        said = self.run_python(
+    def test_the_package_can_be_imported_without_the_library(self):
+        result = self.run_python(
             "import lancret\ntry: lancret.version()\n"
             "except lancret.LibraryNotFound as fault: print(fault)",
             LANCRET_LIBRARY="/nowhere/lib.so",
         )
-        self.assertIn("/nowhere/lib.so: ", said.stdout, said.stderr)
+        self.assertIn("/nowhere/lib.so: ", result.stdout, result.stderr)
 
-    def test_usd_and_plots_are_imported_only_when_asked_for(self):
-        said = self.run_python(
+    def test_usd_and_matplotlib_are_imported_on_demand(self):
+        result = self.run_python(
             "import lancret, lancret.notebook, sys\n"
             "print([name for name in ('pxr', 'matplotlib') if name in sys.modules])"
         )
-        self.assertEqual(said.stdout, "[]\n", said.stderr)
+        self.assertEqual(result.stdout, "[]\n", result.stderr)

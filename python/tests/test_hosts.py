@@ -1,4 +1,4 @@
-"""Threads, logs, and ways to stop."""
+"""Threads, logs and cancellation."""
 
 import threading
 import time
@@ -26,15 +26,15 @@ class Hosts(unittest.TestCase):
         with self.assertRaises(lancret.Cancelled):
             lancret.open(SMALL, cancelled=lambda: True)
 
-    def test_an_exception_of_a_callback_comes_out_of_the_call(self):
+    def test_an_exception_of_a_callback_is_raised_by_the_call(self):
         def broken():
             raise ZeroDivisionError("mine")
 
         with self.assertRaisesRegex(ZeroDivisionError, "mine"):
             lancret.open(SMALL, cancelled=broken)
 
-    def test_an_exception_of_a_log_comes_out_of_its_own_call(self):
-        said, outcome = [], []
+    def test_an_exception_of_a_log_is_raised_by_the_call_that_logged(self):
+        lines, outcome = [], []
 
         def other():
             try:
@@ -46,10 +46,10 @@ class Hosts(unittest.TestCase):
         def log(_level, _text):
             if threading.current_thread() is not mine:
                 return
-            said.append(1)
-            if len(said) == 1:
+            lines.append(1)
+            if len(lines) == 1:
                 raise ValueError("mine")
-            if len(said) == 2:  # another call, from its beginning to its end
+            if len(lines) == 2:  # a complete call on another thread
                 thread = threading.Thread(target=other)
                 thread.start()
                 thread.join()
@@ -59,7 +59,7 @@ class Hosts(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "mine"):
                 lancret.open(SMALL + "seed = 5\n", context=context)
             self.assertEqual(outcome, ["open"])
-            lancret.open(SMALL, context=context).close()  # nothing is left over
+            lancret.open(SMALL, context=context).close()  # no exception is left over
 
     def test_many_threads_grow_the_same_hair(self):
         with lancret.open(SMALL, chunk_strands=32) as groom:
@@ -78,7 +78,7 @@ class Hosts(unittest.TestCase):
             for positions in got:
                 np.testing.assert_array_equal(positions, expected)
 
-    def test_closing_waits_for_who_still_grows(self):
+    def test_closing_waits_for_calls_in_progress(self):
         groom = lancret.open(SMALL, parameters={"strands.count": 30_000})
         groom.info
         done = []
@@ -97,19 +97,19 @@ class Hosts(unittest.TestCase):
         self.assertIn(done, (["the groom is closed"], [30_000]))
 
     def test_warnings_go_to_the_log(self):
-        said = []
+        lines = []
         strands = lawn()
         far = lancret.Strands(strands.points + [0, 0, 0.3], strands.counts)
         with lancret.open(
-            strands=far, scalp=square(), log=lambda *line: said.append(line)
+            strands=far, scalp=square(), log=lambda *line: lines.append(line)
         ):
             pass
-        warnings = [text for level, text in said if level == "warning"]
-        self.assertEqual(len(warnings), 1, said)
+        warnings = [text for level, text in lines if level == "warning"]
+        self.assertEqual(len(warnings), 1, lines)
         self.assertRegex(warnings[0], "25 of 25 guide roots .* moved 0.300 cm")
 
     def test_evaluate_gives_each_blends_figures(self):
         report = lancret.evaluate(strands=lawn(10), scalp=square())
         self.assertIn("place", report["blends"]["detail"])
-        # As `lancret check` wants it.
+        # The limit of `lancret check`.
         self.assertLess(max(report["blends"]["detail"]["length_error"].values()), 1e-5)

@@ -1,4 +1,4 @@
-"""Figures of strands."""
+"""Pictures and histograms of strands."""
 
 import sys
 import unittest
@@ -32,14 +32,14 @@ def circles(radii, points=33):
 class Figures(unittest.TestCase):
     def test_lengths_and_curvatures_of_circles(self):
         lengths, curvatures = notebook.lengths_and_curvatures(circles([1, 4]))
-        # A chord is 2 r sin(a / 2) long, and the circle through its ends is the circle.
+        # A chord has length 2 r sin(a / 2); the circle through three points is the circle.
         expected = 32 * 2 * np.sin(np.pi / 64) * np.array([1, 4])
         np.testing.assert_allclose(lengths, expected, rtol=1e-5)
         np.testing.assert_allclose(curvatures, np.repeat([1, 0.25], 31), rtol=1e-3)
 
     @needs_plots
-    def test_a_picture_has_three_views_of_as_many_lines_as_asked(self):
-        figure = notebook.picture(circles([1, 2, 3, 4]), most=2)
+    def test_a_picture_has_three_views_of_max_strands_lines(self):
+        figure = notebook.picture(circles([1, 2, 3, 4]), max_strands=2)
         self.assertEqual(len(figure.axes), 3)
         self.assertEqual(len(figure.axes[0].collections[0].get_segments()), 2 * 32)
 
@@ -55,19 +55,19 @@ class Figures(unittest.TestCase):
         self.assertEqual(counted, 3)
 
     @needs_plots
-    def test_strands_of_two_points_have_lengths_alone(self):
+    def test_strands_of_two_points_have_no_curvature(self):
         lengths, curvatures = notebook.lengths_and_curvatures(circles([1, 2], points=2))
         self.assertEqual((lengths.tolist(), len(curvatures)), ([2, 4], 0))
         notebook.histograms(circles([1, 2], points=2))
 
-    def test_without_matplotlib_it_says_what_to_install(self):
+    def test_without_matplotlib_the_error_names_what_to_install(self):
         curves = circles([1])
         with unittest.mock.patch.dict(sys.modules, {"matplotlib": None}):
             for draw in (notebook.picture, notebook.histograms):
                 with self.assertRaisesRegex(ImportError, r"lancret\[notebook\]"):
                     draw(curves)
 
-    def test_nothing_to_draw_says_so(self):
+    def test_no_strands_are_an_error(self):
         with self.assertRaisesRegex(lancret.InputError, "no strands"):
             notebook._lines(
                 circles([1, 2]).__class__(

@@ -1,4 +1,4 @@
-"""Grooms from files, texts and memory."""
+"""Opening grooms from files, texts and memory."""
 
 import numpy as np
 
@@ -34,7 +34,7 @@ class Opening(WithFolder):
         with self.assertRaisesRegex(lancret.InputError, r"named\.toml:2: "):
             lancret.open("named.toml", text="[strands]\ncount = 0.5\n")
 
-    def test_a_closed_groom_says_so_and_may_be_closed_twice(self):
+    def test_a_closed_groom_refuses_calls_and_may_be_closed_twice(self):
         groom = lancret.open(SMALL)
         groom.close()
         groom.close()
@@ -57,23 +57,23 @@ class Opening(WithFolder):
             self.assertEqual((groom.info.guides, groom.info.strands), (25, 200))
             hair = groom.expand(attributes=lancret.ALL)
             guides = groom.guides()
-        places, first = hair.places(a_piece=1)
+        places, first = hair.places(per_segment=1)
         roots = places[first[:-1], :3]
-        # Control points below 4 are rounded by 2^-23; the first, a B-spline's root.
+        # A B-spline's root is a mean of control points below 4, each rounded by 2^-23.
         np.testing.assert_allclose(roots[:, 2], 0, atol=2**-23)
-        # On the square, texture coordinates are places over its side of 4 cm, rounded
-        # themselves by 2^-25.
+        # Texture coordinates are positions divided by the square's side of 4 cm, rounded
+        # by 2^-25.
         np.testing.assert_allclose(hair.root_uv, roots[:, :2] / 4, atol=2**-24)
         np.testing.assert_array_equal(guides.root_positions[:, 2], 0)
-        # 8 helices on a curl of 9 radians: the worst is 0.0018 cm off, of 5 cm.
+        # 8 helices fit a curl of 9 radians, 5 cm long, within 0.0018 cm.
         self.assertLess(guides.fit_rms.max(), 0.0025)
 
     def test_strands_in_other_units_are_the_same_hair(self):
         with lancret.open(strands=lawn()) as groom:
             in_cm = groom.expand()
-        given = lawn()
-        small = lancret.Strands(  # a power of two, which rounds nothing
-            given.points * 64, given.counts, metres_per_unit=0.01 / 64, up="Z"
+        strands = lawn()
+        small = lancret.Strands(  # scaling by a power of two rounds nothing
+            strands.points * 64, strands.counts, metres_per_unit=0.01 / 64, up="Z"
         )
         with lancret.open(strands=small) as groom:
             self.assertEqual(groom.info.cm_per_unit, 1 / 64)
@@ -91,5 +91,5 @@ class Opening(WithFolder):
         )
         chords = np.linalg.norm(np.diff(lawn().strand(0), axis=0), axis=1).sum()
         # The curve through 24 points of an arc of 9 radians is longer than its chords by
-        # (0.39)^2 / 24 of what turns, less than a hundredth of all.
+        # (0.39)^2 / 24 of the part that turns, less than a hundredth of the length.
         np.testing.assert_allclose(guides.lengths, chords, rtol=0.01)

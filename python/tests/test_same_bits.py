@@ -1,5 +1,5 @@
-"""Python's strands are those of the C++ program, bit for bit; with as many points each, as
-its text of control points has them."""
+"""Python's strands are those of the command-line program, bit for bit. Points do not adapt,
+because the program's text files of control points have equal counts."""
 
 import subprocess
 import unittest
@@ -10,7 +10,7 @@ import lancret
 
 from .support import SMALL, WithFolder, command
 
-ALIKE = {"strands.adapt": False}
+EQUAL_COUNTS = {"strands.adapt": False}
 CURLY = SMALL.replace("[guides.made]", "[guides.made]\ncurl_radius = 0.5\nfrizz = 0.05")
 
 
@@ -39,32 +39,32 @@ class SameBits(WithFolder):
             with self.subTest(text=text):
                 path = self.file("groom.toml", text)
                 expected = self.control_points(path)
-                with lancret.open(path, chunk_strands=70, parameters=ALIKE) as groom:
+                with lancret.open(path, chunk_strands=70, parameters=EQUAL_COUNTS) as groom:
                     hair = groom.expand()
                 order = np.argsort(hair.ids)
                 ours = np.concatenate([hair.strand(i) for i in order])
                 self.assertEqual(ours.tobytes(), expected.tobytes())
 
-    def test_points_adapt_as_there(self):
+    def test_points_adapt_as_in_the_program(self):
         path = self.file("groom.toml", SMALL)
         file = self.expand("out.hair", path).read_bytes()
         strands, points = np.frombuffer(file, "<u4", 2, 4)  # docs/formats.md
-        pieces = np.frombuffer(file, "<u2", strands, 128)
+        segments = np.frombuffer(file, "<u2", strands, 128)
         joints = np.frombuffer(file, "<f4", 3 * points, 128 + 2 * strands)
         with lancret.open(path, chunk_strands=70) as groom:
             hair = groom.expand()
         order = np.argsort(hair.ids)
-        self.assertGreater(len(set(pieces)), 2)
-        np.testing.assert_array_equal(hair.pieces[order], pieces)
-        places, first = hair.places(a_piece=1)
+        self.assertGreater(len(set(segments)), 2)
+        np.testing.assert_array_equal(hair.segments[order], segments)
+        places, first = hair.places(per_segment=1)
         ours = np.concatenate([places[first[i] : first[i + 1], :3] for i in order])
         off = np.linalg.norm(ours - joints.reshape(-1, 3), axis=1)
         self.assertLess(off.max(), 0.03)  # the groom's tolerance
 
-    def test_a_share_of_the_strands(self):
+    def test_a_fraction_of_the_strands(self):
         path = self.file("groom.toml", SMALL)
         expected = self.control_points(path, "--density", "0.3")
-        with lancret.open(path, parameters=ALIKE) as groom:
+        with lancret.open(path, parameters=EQUAL_COUNTS) as groom:
             hair = groom.expand(density=0.3)
         order = np.argsort(hair.ids)
         ours = np.concatenate([hair.strand(i) for i in order])
@@ -82,7 +82,7 @@ class SameBits(WithFolder):
             check=True,
             capture_output=True,
         )
-        with lancret.open(cache, parameters=ALIKE) as groom:
+        with lancret.open(cache, parameters=EQUAL_COUNTS) as groom:
             self.assertEqual((groom.info.first_frame, groom.info.last_frame), (1, 3))
             self.assertEqual(groom.info.frames, 3)
             self.assertFalse(groom.is_still((1, 2)))

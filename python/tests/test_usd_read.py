@@ -1,4 +1,4 @@
-"""BasisCurves of every basis, wrap and width interpolation as strands."""
+"""Reading BasisCurves of every basis, wrap and width interpolation."""
 
 import unittest
 
@@ -49,7 +49,7 @@ class Bases(unittest.TestCase):
             places[[0, 1, 2, 6]], points[[0, 1, 2, 6]], atol=1e-6
         )
 
-    def test_polylines_stay_polylines_whatever_their_basis_says(self):
+    def test_the_basis_of_polylines_is_ignored(self):
         points = some_points(5)
         stage, _ = stage_with(points, [2, 3], kind="linear", basis="bezier")
         read = usd.read(stage)
@@ -71,8 +71,8 @@ class Bases(unittest.TestCase):
                 np.testing.assert_allclose(
                     read.points[[0, -1]], points[list(ends)], atol=1e-6
                 )
-                pieces = {"bezier": 2, "catmullRom": ends[1] - ends[0]}[basis]
-                self.assertEqual(read.counts.tolist(), [8 * pieces + 1])
+                segments = {"bezier": 2, "catmullRom": ends[1] - ends[0]}[basis]
+                self.assertEqual(read.counts.tolist(), [8 * segments + 1])
 
     def test_closed_curves_are_refused_by_name(self):
         stage, _ = stage_with(some_points(5), [5], wrap="periodic")
@@ -85,26 +85,26 @@ class Bases(unittest.TestCase):
             usd.read(stage)
 
     def test_counts_that_do_not_fit_are_refused(self):
-        for counts, said in (
+        for counts, message in (
             ([4], "the sum 4"),
-            ([1, 4], "the least is 1"),
+            ([1, 4], "the minimum is 1"),
             ([2, 3], "needs 4"),
         ):
             stage, _ = stage_with(some_points(5), counts)
-            with self.assertRaisesRegex(InputError, f":/hair: .*{said}"):
+            with self.assertRaisesRegex(InputError, f":/hair: .*{message}"):
                 usd.read(stage)
         stage, _ = stage_with(some_points(5), [5], basis="bezier")
-        with self.assertRaisesRegex(InputError, "bezier curve of 5 points"):
+        with self.assertRaisesRegex(InputError, "bezier curve cannot have 5 points"):
             usd.read(stage)
 
-    def test_points_that_are_no_numbers_are_refused(self):
+    def test_points_that_are_not_finite_are_refused(self):
         points = some_points(4)
         points[2, 1] = np.nan
         stage, _ = stage_with(points, [4])
-        with self.assertRaisesRegex(InputError, ":/hair: points has a number"):
+        with self.assertRaisesRegex(InputError, ":/hair: points contains a number"):
             usd.read(stage)
 
-    def test_a_stage_without_curves_says_so(self):
+    def test_a_stage_without_curves_is_an_error(self):
         with self.assertRaisesRegex(InputError, "no BasisCurves"):
             usd.read(Usd.Stage.CreateInMemory())
         with self.assertRaisesRegex(InputError, "no such file"):
@@ -113,8 +113,8 @@ class Bases(unittest.TestCase):
 
 @needs_usd
 class Widths(unittest.TestCase):
-    def test_every_interpolation_fits_what_usd_itself_says(self):
-        """UsdGeomBasisCurves tells the interpolation of a size: ours must agree."""
+    def test_sizes_of_every_interpolation_agree_with_usd(self):
+        """UsdGeomBasisCurves computes the interpolation of a size; ours must agree."""
         for basis, wrap, counts in (
             ("bspline", "nonperiodic", [4, 6]),
             ("bspline", "pinned", [4, 6]),
@@ -144,16 +144,16 @@ class Widths(unittest.TestCase):
                     np.testing.assert_allclose(read.widths, 0.5, rtol=1e-6)
 
     @staticmethod
-    def varying(curves, most):
-        """The one size, of those up to `most`, that USD takes for varying; vertex where
-        both are the same."""
+    def varying(curves, max_size):
+        """The size up to `max_size` that USD considers varying; `max_size` if that is also
+        the size of vertex."""
         time = Usd.TimeCode.Default()
-        sizes = range(3, most + 1)
-        told = {n: str(curves.ComputeInterpolationForSize(n, time)) for n in sizes}
-        return next((n for n in sizes if told[n] == "varying"), most)
+        sizes = range(3, max_size + 1)
+        kinds = {n: str(curves.ComputeInterpolationForSize(n, time)) for n in sizes}
+        return next((n for n in sizes if kinds[n] == "varying"), max_size)
 
-    def test_pinned_varying_widths_may_be_one_a_point(self):
-        """The ends of pieces, of which a pinned curve has one fewer than points."""
+    def test_pinned_varying_widths_may_be_one_per_point(self):
+        """A pinned curve has one segment fewer than points, so as many ends of segments."""
         stage, curves = stage_with(
             some_points(5), [5], basis="catmullRom", wrap="pinned"
         )
@@ -169,7 +169,7 @@ class Widths(unittest.TestCase):
         self.assertEqual((widths[0], widths[-1]), (1, 8))
         self.assertAlmostEqual(float(widths[4]), (1 + 3 * 2 + 3 * 4 + 8) / 8, places=6)
 
-    def test_varying_widths_are_linear_between_the_ends_of_pieces(self):
+    def test_varying_widths_are_linear_between_the_ends_of_segments(self):
         stage, curves = stage_with(some_points(7), [7], basis="bezier")
         curves.CreateWidthsAttr([1, 2, 4])
         curves.SetWidthsInterpolation("varying")
@@ -185,10 +185,10 @@ class Widths(unittest.TestCase):
             read.widths[[a, b - 1]].tolist() for a, b in zip(read.first, read.first[1:])
         ]
         self.assertEqual(ends, [[1, 2], [10, 40], [5, 6]])
-        curves.SetWidthsInterpolation("faceVarying")  # of curves the same
+        curves.SetWidthsInterpolation("faceVarying")  # the same for curves
         np.testing.assert_array_equal(usd.read(stage).widths, read.widths)
 
-    def test_the_primvar_goes_before_the_attribute(self):
+    def test_the_primvar_overrides_the_attribute(self):
         stage, curves = stage_with(some_points(4), [4])
         curves.CreateWidthsAttr([1.0] * 4)
         curves.SetWidthsInterpolation("vertex")
@@ -199,7 +199,7 @@ class Widths(unittest.TestCase):
         curves.GetWidthsAttr().Clear()
         self.assertEqual(usd.read(stage).widths.tolist(), [0.25] * 4)
         primvars.GetPrimvar("widths").Set([float("nan")])
-        with self.assertRaisesRegex(InputError, ":/hair: primvars:widths has a number"):
+        with self.assertRaisesRegex(InputError, ":/hair: primvars:widths contains a number"):
             usd.read(stage)
 
     def test_may_be_inherited(self):
@@ -221,12 +221,12 @@ class Widths(unittest.TestCase):
         UsdGeom.SetStageMetersPerUnit(stage, 1)
         np.testing.assert_allclose(usd.read(stage).taper(), (0.5, 0.1), rtol=1e-5)
 
-    def test_widths_of_no_fitting_number_are_refused(self):
+    def test_a_wrong_number_of_widths_is_refused(self):
         stage, curves = stage_with(some_points(9), [4, 5])
         curves.CreateWidthsAttr([1, 2, 3, 4])
         curves.SetWidthsInterpolation("vertex")
         with self.assertRaisesRegex(
-            InputError, "widths are vertex, and so should be 9"
+            InputError, "widths are vertex: expected 9 values, found 4"
         ):
             usd.read(stage)
 
@@ -268,7 +268,7 @@ class Places(unittest.TestCase):
         stage.RemovePrim("/hair")
         self.assertEqual(len(usd.read(stage, "/place1")), 1)
         whole = usd.read(stage).points.reshape(-1, 4, 3)
-        self.assertEqual(len(whole), 3)  # the prototype stands there as well
+        self.assertEqual(len(whole), 3)  # including the prototype
         np.testing.assert_allclose(
             sorted(whole[:, 0, 0] - whole[:, 0, 0].min()), [0, 0, 10], atol=1e-5
         )
@@ -278,7 +278,7 @@ class Places(unittest.TestCase):
             atol=1e-5,
         )
 
-    def test_several_prims_are_joined_and_their_bases_made_alike(self):
+    def test_several_prims_are_joined_in_a_common_basis(self):
         stage, _ = stage_with(some_points(4), [4])
         other = UsdGeom.BasisCurves.Define(stage, "/other")
         other.CreateTypeAttr("cubic")
@@ -292,7 +292,7 @@ class Places(unittest.TestCase):
         with self.assertRaisesRegex(InputError, "linear and cubic curves together"):
             usd.read(stage)
 
-    def test_what_is_not_seen_is_not_read_unless_it_is_named(self):
+    def test_invisible_prims_are_not_read_unless_they_are_named(self):
         stage, _ = stage_with(some_points(4), [4])
         for name in ("invisible", "proxy", "guide", "render"):
             other = UsdGeom.BasisCurves.Define(stage, f"/{name}")
@@ -313,7 +313,7 @@ class Places(unittest.TestCase):
         ):
             usd.read(stage)
 
-    def test_what_a_point_instancer_places_is_refused(self):
+    def test_prims_of_a_point_instancer_are_refused(self):
         stage, _ = stage_with(some_points(4), [4])
         UsdGeom.PointInstancer.Define(stage, "/many")
         Sdf.CopySpec(stage.GetRootLayer(), "/hair", stage.GetRootLayer(), "/many/hair")
@@ -321,7 +321,7 @@ class Places(unittest.TestCase):
             usd.read(stage)
         self.assertEqual(len(usd.read(stage, "/many/hair")), 1)
 
-    def test_a_prim_without_curves_is_no_matter(self):
+    def test_a_prim_without_curves_is_ignored(self):
         for wrap in ("pinned", "nonperiodic"):
             stage, _ = stage_with(np.empty((0, 3)), [], wrap=wrap)
             self.assertEqual(len(usd.read(stage)), 0)
@@ -330,21 +330,21 @@ class Places(unittest.TestCase):
             other.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(some_points(4)))
             self.assertEqual(len(usd.read(stage)), 1)
 
-    def test_what_only_some_prims_have_is_left_out_with_a_warning(self):
+    def test_attributes_of_only_some_prims_are_left_out_with_a_warning(self):
         stage, curves = stage_with(some_points(4), [4])
         curves.CreateWidthsAttr([1.0])
         curves.SetWidthsInterpolation("constant")
         other = UsdGeom.BasisCurves.Define(stage, "/other")
         other.CreateCurveVertexCountsAttr([4])
         other.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(some_points(4)))
-        with self.assertLogs("lancret", "WARNING") as said:
+        with self.assertLogs("lancret", "WARNING") as logs:
             self.assertIsNone(usd.read(stage).widths)
-        self.assertEqual(len(said.output), 1)
-        self.assertRegex(said.output[0], ":/other: has no widths")
+        self.assertEqual(len(logs.output), 1)
+        self.assertRegex(logs.output[0], ":/other: has no widths")
 
     def test_a_prim_is_read_at_one_time(self):
-        """That of its points' first sample: for its place and its widths as well, and
-        whatever the points' default is."""
+        """The time of the first sample of the points, for transform and widths too, even
+        if the points have a default."""
         stage, curves = stage_with(np.zeros((4, 3)), [4])
         curves.GetPointsAttr().Set(Vt.Vec3fArray.FromNumpy(np.ones((4, 3), "f4")), 10)
         place = UsdGeom.Xformable(curves).AddTranslateOp()
@@ -358,7 +358,7 @@ class Places(unittest.TestCase):
         self.assertEqual(read.points[0].tolist(), [10, 1, 1])
         self.assertEqual(read.widths[0], 3)
         curves.GetPointsAttr().ClearAtTime(10)
-        read = usd.read(stage)  # nothing but the default: first samples of the rest
+        read = usd.read(stage)  # points have only a default: first samples of the rest
         self.assertEqual((read.points[0].tolist(), read.widths[0]), ([0, 0, 0], 1))
 
     def test_samples_are_read_at_their_times_and_the_first_by_default(self):

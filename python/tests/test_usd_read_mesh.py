@@ -1,4 +1,4 @@
-"""Meshes that hair grows on."""
+"""Reading meshes that hair grows on."""
 
 import unittest
 
@@ -34,15 +34,15 @@ class Meshes(unittest.TestCase):
         self.assertEqual(read.corners.tolist(), [[0, 1, 2], [0, 2, 3], [1, 4, 2]])
         self.assertTrue((self.normals(read) > 0).all())
 
-    def test_left_hands_and_mirrors_turn_faces_over(self):
+    def test_left_handed_meshes_and_mirrors_flip_faces(self):
         stage, mesh = self.square("leftHanded")
         self.assertTrue((self.normals(usd.read_mesh(stage)) < 0).all())
         mesh.AddScaleOp().Set(Gf.Vec3f(-1, 1, 1))
-        read = usd.read_mesh(stage)  # the mirror leaves z alone, and so the outside
+        read = usd.read_mesh(stage)  # the mirror keeps z, so the outside is the same
         np.testing.assert_allclose(read.positions[1], [-1, 0, 0])
         self.assertTrue((self.normals(read) < 0).all())
 
-    def test_texture_coordinates_are_those_of_corners(self):
+    def test_texture_coordinates_are_per_corner(self):
         stage, mesh = self.square("rightHanded")
         primvar = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
             "UVMap", Sdf.ValueTypeNames.TexCoord2fArray, "faceVarying"
@@ -60,7 +60,7 @@ class Meshes(unittest.TestCase):
         mesh.CreateHoleIndicesAttr([0])
         self.assertEqual(usd.read_mesh(stage).corners.tolist(), [[1, 4, 2]])
 
-    def test_a_mesh_that_is_not_seen_is_none_of_several(self):
+    def test_invisible_meshes_do_not_count(self):
         stage, _ = self.square("rightHanded")
         other = UsdGeom.Mesh.Define(stage, "/cage")
         with self.assertRaisesRegex(InputError, "2 meshes"):

@@ -1,4 +1,4 @@
-"""Real files of USD, with what is odd in them."""
+"""USD files of other programs, with their peculiarities."""
 
 import unittest
 
@@ -15,7 +15,7 @@ if HAS_USD:
 @needs_usd
 @needs_data
 class RealFiles(unittest.TestCase):
-    def test_a_pinned_tuft_of_samples_alone(self):
+    def test_a_pinned_tuft_that_has_only_samples(self):
         read = usd.read(DATA / "tuft_bspline.usda")
         self.assertEqual((len(read), read.basis), (1987, "bspline"))
         self.assertTrue((read.counts == 12).all())
@@ -36,7 +36,7 @@ class RealFiles(unittest.TestCase):
             ),
             mesh.positions[mesh.corners[:, 0]],
         )
-        self.assertGreater((outwards > 0).mean(), 0.99)  # left-handed, turned over
+        self.assertGreater((outwards > 0).mean(), 0.99)  # left-handed, so flipped
 
     def test_blenders_hair_has_no_wrap_and_a_transform(self):
         read = usd.read(DATA / "wavy_blender.usda")

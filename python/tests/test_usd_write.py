@@ -1,4 +1,4 @@
-"""Strands as BasisCurves, and back."""
+"""Writing strands as BasisCurves, and reading them back."""
 
 import os
 import unittest
@@ -17,7 +17,7 @@ if HAS_USD:
 
 
 def read_back(path, prim="/Hair/strands", time=None):
-    """What usd-core finds in a file, as arrays."""
+    """The contents of a file, read with usd-core, as arrays."""
     stage = Usd.Stage.Open(str(path))
     curves = UsdGeom.BasisCurves(stage.GetPrimAtPath(prim))
     code = Usd.TimeCode.Default() if time is None else Usd.TimeCode(time)
@@ -44,12 +44,12 @@ def read_back(path, prim="/Hair/strands", time=None):
 
 @needs_usd
 class Writing(WithFolder):
-    def test_what_is_read_back_is_what_was_grown(self):
+    def test_the_file_has_the_arrays_of_expand(self):
         for name in ("hair.usda", "hair.usdc"):
             for basis in ("bspline", "linear", "bezier", "catmull-rom"):
                 with self.subTest(name=name, basis=basis), lancret.open(SMALL) as groom:
                     path = self.folder / f"{basis}.{name}"
-                    asked = {
+                    options = {
                         "basis": basis,
                         "attributes": (
                             "ids",
@@ -59,8 +59,8 @@ class Writing(WithFolder):
                             "normals",
                         ),
                     }
-                    usd.write(path, groom, **asked)
-                    hair, back = groom.expand(**asked), read_back(path)
+                    usd.write(path, groom, **options)
+                    hair, back = groom.expand(**options), read_back(path)
                 np.testing.assert_array_equal(back["counts"], hair.counts)
                 np.testing.assert_array_equal(back["points"], hair.points)
                 np.testing.assert_array_equal(back["widths"], 2 * hair.radii)
@@ -70,20 +70,20 @@ class Writing(WithFolder):
                 np.testing.assert_array_equal(back["hairRandom"], hair.random)
                 np.testing.assert_array_equal(back["normals"], hair.normals[0, :, :3])
 
-    def test_the_checker_has_nothing_to_complain_of(self):
+    def test_usdchecker_has_no_complaints(self):
         path = self.folder / "hair.usda"
         with lancret.open(SMALL) as groom:
             usd.write(path, groom)
         self.assertEqual(usd.complaints(path), [])
-        broken = self.folder / "broken.usda"  # and would have
+        broken = self.folder / "broken.usda"
         broken.write_text('#usda 1.0\ndef Xform "Hair" {}\n')
         self.assertNotEqual(usd.complaints(broken), [])
 
-    def test_interpolations_and_form_are_usds_own(self):
+    def test_interpolations_and_types_are_valid_usd(self):
         path = self.folder / "hair.usdc"
         with lancret.open(SMALL) as groom:
             usd.write(path, groom)
-        back = read_back(path)  # its stage must stay
+        back = read_back(path)  # keeps the stage alive
         curves = back["curves"]
         time = Usd.TimeCode.Default()
         widths = len(curves.GetWidthsAttr().Get())
@@ -97,7 +97,7 @@ class Writing(WithFolder):
         self.assertEqual(str(primvar.GetTypeName()), "texCoord2f[]")
         self.assertEqual(primvar.GetInterpolation(), "uniform")
 
-    def test_units_and_axis_are_the_grooms_or_as_asked(self):
+    def test_units_and_axis_are_the_grooms_or_as_requested(self):
         path = self.folder / "hair.usda"
         with lancret.open(SMALL, parameters={"scene.up": "Z"}) as groom:
             usd.write(path, groom, metres_per_unit=1)
@@ -106,14 +106,14 @@ class Writing(WithFolder):
         self.assertEqual(UsdGeom.GetStageUpAxis(back["stage"]), "Z")
         np.testing.assert_array_equal(back["points"], hair.points)
         with lancret.open(SMALL, parameters={"scene.up": "X"}) as groom:
-            with self.assertRaisesRegex(lancret.InputError, "Y and Z alone"):
+            with self.assertRaisesRegex(lancret.InputError, "supports only Y and Z"):
                 usd.write(path, groom)
         with lancret.open(SMALL, parameters={"scene.metres_per_unit": 0.001}) as groom:
             usd.write(self.folder / "millimetres.usda", groom)
         back = read_back(self.folder / "millimetres.usda")
         self.assertEqual(UsdGeom.GetStageMetersPerUnit(back["stage"]), 0.001)
 
-    def test_the_extent_holds_every_point_with_its_width(self):
+    def test_the_extent_contains_every_point_with_its_width(self):
         path = self.folder / "hair.usda"
         with lancret.open(SMALL) as groom:
             usd.write(path, groom)
@@ -135,17 +135,17 @@ class Writing(WithFolder):
 
     def test_what_cannot_be_written_is_refused_and_leaves_nothing(self):
         with lancret.open(SMALL) as groom:
-            for name, how, said in (
-                ("hair.obj", {}, "is written as .usd, .usda, .usdc only"),
-                ("hair.usda", {"basis": "hermite"}, "BasisCurves are linear"),
-                ("hair.usda", {"prim": "/a/b"}, "must be at the root"),
-                ("hair.usda", {"prim": "hair"}, "must be at the root"),
+            for name, options, message in (
+                ("hair.obj", {}, "extension must be one of .usd, .usda, .usdc"),
+                ("hair.usda", {"basis": "hermite"}, "USD supports linear"),
+                ("hair.usda", {"prim": "/a/b"}, "must be a root prim"),
+                ("hair.usda", {"prim": "hair"}, "must be a root prim"),
                 ("nowhere/hair.usda", {}, "nowhere: no such folder"),
-                ("hair.usda", {"times": []}, "times: there are none"),
+                ("hair.usda", {"times": []}, "times: must not be empty"),
                 ("hair.usda", {"attributes": ("tangents",)}, "tangents: cannot be wr"),
             ):
-                with self.assertRaisesRegex(lancret.InputError, said):
-                    usd.write(self.folder / name, groom, **how)
+                with self.assertRaisesRegex(lancret.InputError, message):
+                    usd.write(self.folder / name, groom, **options)
             with self.assertRaises(lancret.CallError):
                 usd.write(self.folder / "hair.usda", groom, density=-1)
         self.assertEqual(list(self.folder.iterdir()), [])
@@ -156,9 +156,10 @@ class Writing(WithFolder):
             try:
                 usd.write(path, groom, density=-1)
             except lancret.CallError as fault:
-                kept.append(fault)  # as a notebook keeps it, and all that it refers to
+                kept.append(fault)  # a notebook does so, which keeps its locals alive
             usd.write(path, groom)
-        self.assertEqual([one.name for one in self.folder.iterdir()], ["hair.usda"])
+        names = [path.name for path in self.folder.iterdir()]
+        self.assertEqual(names, ["hair.usda"])
         self.assertEqual(len(kept), 1)
 
     def test_stages_that_are_open_see_the_new_file(self):
@@ -190,7 +191,7 @@ class Writing(WithFolder):
         usd.add_curves(stage, "/hair", curve(4, 2.0))
         for other in (curve(6, 3.0), curve(4, 3.0, number=1)):
             with self.assertRaisesRegex(
-                lancret.InputError, "/hair: has curves with other"
+                lancret.InputError, "/hair: has curves with different"
             ):
                 usd.add_curves(stage, "/hair", other)
         found = UsdGeom.BasisCurves(stage.GetPrimAtPath("/hair"))
@@ -237,7 +238,7 @@ class Writing(WithFolder):
 @needs_usd
 class RoundTrips(WithFolder):
     def test_strands_written_and_read_are_the_same_groom(self):
-        """Strands out as BasisCurves, in as guides, children out and back."""
+        """Writes strands, reads them as guides, writes children and reads these."""
         with lancret.open(strands=lawn(), parameters={"strands.count": 25}) as groom:
             usd.write(self.folder / "guides.usdc", groom)
         guides = usd.read(self.folder / "guides.usdc")
@@ -258,15 +259,15 @@ class RoundTrips(WithFolder):
     @needs_data
     def test_real_grooms_go_in_and_out(self):
         tuft = {"guides.count": 200, "strands.count": 1500}
-        as_blender_means_it = {"transform": False, "wrap": "pinned"}
-        for name, up, guides, parameters, how in (
+        blender = {"transform": False, "wrap": "pinned"}
+        for name, up, guides, parameters, options in (
             ("tuft_bspline.usda", "Y", 200, tuft, {}),
-            ("wavy_blender.usda", "Z", 72, {"strands.count": 400}, as_blender_means_it),
+            ("wavy_blender.usda", "Z", 72, {"strands.count": 400}, blender),
         ):
             with self.subTest(name=name):
                 path = self.folder / f"out_{name}"
                 with lancret.open(
-                    strands=usd.read(DATA / name, **how),
+                    strands=usd.read(DATA / name, **options),
                     scalp=usd.read_mesh(DATA / name),
                     parameters=parameters,
                 ) as groom:

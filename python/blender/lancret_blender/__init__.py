@@ -1,4 +1,4 @@
-"""Lancret hair in Blender: guides in, strands grown for the viewport and the render."""
+"""Lancret hair in Blender: grows strands between guides, for the viewport and renders."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ bl_info = {
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
     "location": "Add > Lancret Hair, Properties > Object > Lancret Hair",
-    "description": "Hair grown between Super-Helix guides, in full at render time",
+    "description": "Hair grown between Super-Helix guides at render time",
     "category": "Object",
 }
 

@@ -8,77 +8,79 @@ from typing import Any
 
 import bpy
 
-from . import opened, strand_object, strands
+from . import groom_cache, strand_object, strands
 from .package import lancret
-from .sources import Fault, cm_per_unit, source_of, update_objects
+from .scene_source import cm_per_unit, source_of, update_scene_objects
+from .source import Fault
 
 
-def anew(thing: bpy.types.Object, scene: bpy.types.Scene) -> bool:
-    """What the user asks for: as `in_viewport`, and what a render could not do is past."""
-    thing.lancret.render_error = ""
-    return in_viewport(thing, scene)
+def regrow(obj: bpy.types.Object, scene: bpy.types.Scene) -> bool:
+    """Like `in_viewport`, on the user's request, and clears the last render error."""
+    obj.lancret.render_error = ""
+    return in_viewport(obj, scene)
 
 
-def in_viewport(thing: bpy.types.Object, scene: bpy.types.Scene) -> bool:
-    """Into the points that the viewport shows. False where it cannot, with the reason in
-    `lancret.error`; the strands are then those of before."""
-    told = thing.lancret
+def in_viewport(obj: bpy.types.Object, scene: bpy.types.Scene) -> bool:
+    """Grows the viewport's share into the object's points. On failure returns False, sets
+    `lancret.error` and leaves the strands unchanged."""
+    settings = obj.lancret
 
     def work() -> None:
-        strand_object.prepare(thing)
-        update_objects([thing], scene)
-        groom, grown = _strands(thing, scene, told.viewport)
-        strand_object.write(told.points.data, grown)
+        strand_object.prepare(obj)
+        update_scene_objects([obj], scene)
+        groom, grown = _strands(obj, scene, settings.viewport)
+        strand_object.write(settings.points.data, grown)
         info = groom.info
-        told.strands, told.all_strands = len(grown), info.strands
-        told.first_frame, told.last_frame = info.first_frame, info.last_frame
-        told.end_error = grown.end_error * cm_per_unit(scene)
+        settings.strands, settings.all_strands = len(grown), info.strands
+        settings.first_frame, settings.last_frame = info.first_frame, info.last_frame
+        settings.end_error = grown.end_error * cm_per_unit(scene)
 
-    told.error = _fault_of(thing, work)
-    return not told.error
+    settings.error = _error_of(obj, work)
+    return not settings.error
 
 
-def in_full(
-    thing: bpy.types.Object, scene: bpy.types.Scene, mesh: bpy.types.Mesh
+def for_render(
+    obj: bpy.types.Object, scene: bpy.types.Scene, mesh: bpy.types.Mesh
 ) -> bool:
-    """All strands at the scene's frame into a mesh of the caller's, who has called
-    `update_objects`. False where it cannot:
-    the mesh stays empty, and `lancret.render_error` keeps the first reason."""
+    """Grows all strands at the scene's frame into `mesh`. Call `update_scene_objects`
+    first. On failure returns False and leaves `mesh` empty; `lancret.render_error` keeps
+    the first error."""
 
     def work() -> None:
-        strand_object.prepare(thing)
-        strand_object.write(mesh, _strands(thing, scene, 0, blur=True)[1])
+        strand_object.prepare(obj)
+        strand_object.write(mesh, _strands(obj, scene, 0, blur=True)[1])
 
-    text = _fault_of(thing, work)
-    told = thing.lancret
-    if text and not told.render_error:
-        told.render_error = f"frame {scene.frame_current}: {text}"
+    text = _error_of(obj, work)
+    settings = obj.lancret
+    if text and not settings.render_error:
+        settings.render_error = f"frame {scene.frame_current}: {text}"
     return not text
 
 
 def _strands(
-    thing: bpy.types.Object, scene: bpy.types.Scene, density: float, blur: bool = False
+    obj: bpy.types.Object, scene: bpy.types.Scene, density: float, blur: bool = False
 ) -> tuple[Any, strands.Strands]:
-    told = thing.lancret
+    settings = obj.lancret
     unit = cm_per_unit(scene)
-    groom = opened.groom(source_of(thing, scene), thing.name_full)
+    groom = groom_cache.groom(source_of(obj, scene), obj.name_full)
     times = times_of(groom.info, scene, blur)
     curves = groom.expand(
         times=times,
         basis=strands.BASIS,
         density=density,
-        max_error=told.max_error / unit,
+        max_error=settings.max_error / unit,
         attributes=(),
         unit=unit,
     )
-    a_second = scene.render.fps / scene.render.fps_base
+    fps = scene.render.fps / scene.render.fps_base
     up = strands.up_axis(groom.info.up)
-    return groom, strands.drawn(curves, up, times, a_second)
+    return groom, strands.drawn(curves, up, times, fps)
 
 
 def times_of(info: Any, scene: bpy.types.Scene, blur: bool) -> tuple[float, ...]:
-    """The frame, within the groom's; for motion blur the shutter's middle between its
-    ends, as Cycles moves points evenly to both sides."""
+    """The scene's frame, clamped to those of the groom; empty if the groom does not move.
+    With motion blur: start, middle and end of the shutter, because Cycles moves points
+    evenly to both sides of the middle."""
     if info.last_frame <= info.first_frame:
         return ()
 
@@ -94,28 +96,29 @@ def times_of(info: Any, scene: bpy.types.Scene, blur: bool) -> tuple[float, ...]
 
 
 def _blur_position(scene: bpy.types.Scene) -> str:
-    for settings in (scene.render, getattr(scene, "cycles", None)):  # 4.2; before
+    # Blender 4.2 and newer have it in the first place, older ones in the second.
+    for settings in (scene.render, getattr(scene, "cycles", None)):
         if hasattr(settings, "motion_blur_position"):
             return str(settings.motion_blur_position)
     return "CENTER"
 
 
-def _fault_of(thing: bpy.types.Object, work: Any) -> str:
-    """What keeps `work` from being done, for the panel; "" where it is done."""
+def _error_of(obj: bpy.types.Object, work: Any) -> str:
+    """Runs `work` and returns the text of its error, for the panel; "" if it succeeds."""
     try:
         work()
     except Fault as fault:
         text = str(fault)
     except ImportError as fault:
-        found = getattr(sys.modules.get("lancret"), "LibraryNotFound", ())
+        not_found = getattr(sys.modules.get("lancret"), "LibraryNotFound", ())
         text = str(fault)
-        if not isinstance(fault, found):
-            text = f"the Python package lancret is not there: {text}"
+        if not isinstance(fault, not_found):
+            text = f"the Python package lancret cannot be imported: {text}"
     except Exception as fault:
         text = str(fault) or type(fault).__name__
         if not isinstance(fault, lancret().Error):
             traceback.print_exc()
     else:
         return ""
-    print(f"lancret: {thing.name}: {text}", file=sys.stderr, flush=True)
+    print(f"lancret: {obj.name}: {text}", file=sys.stderr, flush=True)
     return text

@@ -1,10 +1,10 @@
-"""What happens at a render, a change of frame and another file.
+"""Handlers of renders, frame changes and the loading of files.
 
-A render: `render_pre` comes before each frame, when the scene is at it and nothing has
-been evaluated; there each object gets a mesh with all its strands in place of the
-viewport's, which is put back at the end; an empty one where they cannot be grown, so that
-hair is missing rather than wrong. Blender also says `frame_change_pre` in a
-render, for each moment of motion blur: that is passed over.
+`render_pre` runs before each frame, when the scene is at that frame and nothing has been
+evaluated yet. There each object gets a mesh with all its strands in place of the
+viewport's, which is restored after the render. If the strands cannot be grown the mesh is
+empty: the hair is then missing rather than wrong. During a render Blender also calls
+`frame_change_pre`, for each time of the motion blur; these calls are ignored.
 """
 
 from __future__ import annotations
@@ -14,59 +14,29 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from . import grow, later, opened, sources
-from .settings import is_lancret
+from . import deferred, groom_cache, grow, render_state, scene_source
+from .objects import is_lancret, lancret_objects
 
-_viewport: dict[str, str] = {}  # of points objects, the mesh that the viewport shows
-_unfilled: set[str] = set()  # objects whose points were made in a render
-_rendering = False
-
-
-def rendering() -> bool:
-    return _rendering
-
-
-def _lancret_objects(
-    scene: bpy.types.Scene, rendered: bool = False
-) -> list[bpy.types.Object]:
-    """Of a scene, those of instanced collections too; or what a render shows of them."""
-    found, seen = {}, set()
-
-    def walk(collection: bpy.types.Collection) -> None:
-        if collection in seen or (rendered and collection.hide_render):
-            return
-        seen.add(collection)
-        for one in collection.objects:
-            if rendered and one.hide_render:
-                continue
-            if is_lancret(one):
-                found[one.name_full] = one
-            if one.instance_type == "COLLECTION" and one.instance_collection:
-                walk(one.instance_collection)
-        for child in collection.children:
-            walk(child)
-
-    walk(scene.collection)
-    return list(found.values())
+_viewport: dict[str, str] = {}  # points object -> the mesh that its viewport shows
+_unfilled: set[str] = set()  # objects whose points were created during a render
 
 
 @persistent
 def _render_init(_scene: bpy.types.Scene, *_: Any) -> None:
-    global _rendering
-    _rendering = True
+    render_state.set_rendering(True)
 
 
 @persistent
 def _render_pre(scene: bpy.types.Scene, *_: Any) -> None:
-    _put_back()  # the frame before
-    things = _lancret_objects(scene, rendered=True)
-    sources.update_objects(things, scene)
-    for thing in things:
-        if thing.lancret.points is None:
-            _unfilled.add(thing.name)
-        full = bpy.data.meshes.new(f"{thing.name} in full")
-        grow.in_full(thing, scene, full)
-        points = thing.lancret.points
+    _restore_viewport()  # of the previous frame
+    objects = lancret_objects(scene, rendered=True)
+    scene_source.update_scene_objects(objects, scene)
+    for obj in objects:
+        if obj.lancret.points is None:
+            _unfilled.add(obj.name)
+        full = bpy.data.meshes.new(f"{obj.name} for render")
+        grow.for_render(obj, scene, full)
+        points = obj.lancret.points
         if points is None:
             bpy.data.meshes.remove(full)
             continue
@@ -76,17 +46,15 @@ def _render_pre(scene: bpy.types.Scene, *_: Any) -> None:
 
 @persistent
 def _render_end(scene: bpy.types.Scene, *_: Any) -> None:
-    global _rendering
-    _rendering = False
-    _put_back()
+    render_state.set_rendering(False)
+    _restore_viewport()
     while _unfilled:
-        thing = bpy.data.objects.get(_unfilled.pop())
-        if thing is not None and is_lancret(thing):
-            grow.in_viewport(thing, scene)
+        obj = bpy.data.objects.get(_unfilled.pop())
+        if obj is not None and is_lancret(obj):
+            grow.in_viewport(obj, scene)
 
 
-def _put_back() -> None:
-    """What the viewport shows."""
+def _restore_viewport() -> None:
     while _viewport:
         name, mesh = _viewport.popitem()
         points = bpy.data.objects.get(name)
@@ -99,22 +67,21 @@ def _put_back() -> None:
 
 @persistent
 def _frame_change(scene: bpy.types.Scene, *_: Any) -> None:
-    if _rendering:
+    if render_state.rendering():
         return
-    for thing in _lancret_objects(scene):
-        told = thing.lancret
-        if told.last_frame > told.first_frame:
-            grow.in_viewport(thing, scene)
+    for obj in lancret_objects(scene):
+        settings = obj.lancret
+        if settings.last_frame > settings.first_frame:
+            grow.in_viewport(obj, scene)
 
 
 @persistent
 def _load_pre(*_: Any) -> None:
-    global _rendering
-    _rendering = False
+    render_state.set_rendering(False)
     _viewport.clear()
     _unfilled.clear()
-    later.forget()
-    opened.forget()
+    deferred.forget()
+    groom_cache.forget()
 
 
 _HANDLERS = (
@@ -135,5 +102,5 @@ def register() -> None:
 def unregister() -> None:
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).remove(handler)
-    later.forget()
-    opened.close()
+    deferred.forget()
+    groom_cache.close()

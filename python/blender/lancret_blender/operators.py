@@ -1,4 +1,4 @@
-"""Add > Lancret Hair, and what the panel's buttons do."""
+"""Add > Lancret Hair, and the buttons of the panel."""
 
 from __future__ import annotations
 
@@ -7,28 +7,28 @@ from typing import Any
 import bpy
 from bpy.props import StringProperty
 
-from . import grow, opened, strand_object
-from .settings import is_lancret
+from . import groom_cache, grow, strand_object
+from .objects import is_lancret
 
 
 def _guides_of(context: Any) -> list[bpy.types.Object]:
-    """The selected objects that have strands, but no Lancret hair."""
+    """The selected objects that have strands, except Lancret objects."""
     return [
-        one
-        for one in context.selected_objects
-        if (one.type in {"CURVE", "CURVES"} and not is_lancret(one))
-        or any(system.settings.type == "HAIR" for system in one.particle_systems)
+        obj
+        for obj in context.selected_objects
+        if (obj.type in {"CURVE", "CURVES"} and not is_lancret(obj))
+        or any(system.settings.type == "HAIR" for system in obj.particle_systems)
     ]
 
 
-def _take(thing: bpy.types.Object, guides: list[bpy.types.Object]) -> None:
-    thing.lancret.guides.clear()
+def _set_guides(obj: bpy.types.Object, guides: list[bpy.types.Object]) -> None:
+    obj.lancret.guides.clear()
     for guide in guides:
-        thing.lancret.guides.add().object = guide
+        obj.lancret.guides.add().object = guide
 
 
 class OBJECT_OT_lancret_add(bpy.types.Operator):
-    """Hair between the selected curves, on the active mesh; or of a file"""
+    """Add hair grown between the selected curves, on the active mesh, or from a file"""
 
     bl_idname = "object.lancret_add"
     bl_label = "Lancret Hair"
@@ -46,24 +46,25 @@ class OBJECT_OT_lancret_add(bpy.types.Operator):
     def execute(self, context: Any) -> set[str]:
         guides = [] if self.filepath else _guides_of(context)
         if not guides and not self.filepath:
-            self.report({"ERROR"}, "Select curves to be guides, or choose a file")
+            self.report({"ERROR"}, "Select curves as guides, or choose a file")
             return {"CANCELLED"}
         active = context.active_object
         on_mesh = active is not None and active.type == "MESH" and active.select_get()
-        scalp = active if guides and on_mesh else None  # files have their own
-        thing = strand_object.make(context, scalp or (guides[0] if guides else None))
-        told = thing.lancret
-        told.live = False
-        told.source, told.file = ("SCENE", "") if guides else ("FILE", self.filepath)
-        told.scalp = scalp
-        _take(thing, guides)
-        told.live = True
-        for one in context.selected_objects:
-            one.select_set(False)
-        thing.select_set(True)
-        context.view_layer.objects.active = thing
+        scalp = active if guides and on_mesh else None  # a file has its own
+        obj = strand_object.make(context, scalp or (guides[0] if guides else None))
+        settings = obj.lancret
+        settings.live = False
+        settings.source = "SCENE" if guides else "FILE"
+        settings.file = "" if guides else self.filepath
+        settings.scalp = scalp
+        _set_guides(obj, guides)
+        settings.live = True
+        for selected in context.selected_objects:
+            selected.select_set(False)
+        obj.select_set(True)
+        context.view_layer.objects.active = obj
         context.view_layer.update()
-        return _grown(self, thing)
+        return _grown(self, obj)
 
 
 class _OnLancret:
@@ -75,35 +76,35 @@ class _OnLancret:
 
 
 class OBJECT_OT_lancret_update(_OnLancret, bpy.types.Operator):
-    """Read guides, scalp and files again, and grow the viewport's strands"""
+    """Reload guides, scalp and files, and regrow the strands in the viewport"""
 
     bl_idname = "object.lancret_update"
     bl_label = "Update"
 
     def execute(self, context: Any) -> set[str]:
-        opened.forget()
+        groom_cache.forget()
         return _grown(self, context.object)
 
 
 class OBJECT_OT_lancret_take(_OnLancret, bpy.types.Operator):
-    """Make the selected curves the guides"""
+    """Use the selected curves as guides"""
 
     bl_idname = "object.lancret_take"
-    bl_label = "Take the Selected Curves"
+    bl_label = "Use Selected Curves"
 
     def execute(self, context: Any) -> set[str]:
         guides = _guides_of(context)
         if not guides:
-            self.report({"ERROR"}, "Select curves, hair curves or hair particles too")
+            self.report({"ERROR"}, "Also select curves, hair curves or hair particles")
             return {"CANCELLED"}
-        _take(context.object, guides)
+        _set_guides(context.object, guides)
         context.object.lancret.source = "SCENE"
         return _grown(self, context.object)
 
 
-def _grown(operator: bpy.types.Operator, thing: bpy.types.Object) -> set[str]:
-    if not grow.anew(thing, bpy.context.scene):
-        operator.report({"WARNING"}, thing.lancret.error)
+def _grown(operator: bpy.types.Operator, obj: bpy.types.Object) -> set[str]:
+    if not grow.regrow(obj, bpy.context.scene):
+        operator.report({"WARNING"}, obj.lancret.error)
     return {"FINISHED"}
 
 
@@ -115,12 +116,12 @@ _CLASSES = (OBJECT_OT_lancret_add, OBJECT_OT_lancret_update, OBJECT_OT_lancret_t
 
 
 def register() -> None:
-    for one in _CLASSES:
-        bpy.utils.register_class(one)
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
     bpy.types.VIEW3D_MT_add.append(_menu)
 
 
 def unregister() -> None:
     bpy.types.VIEW3D_MT_add.remove(_menu)
-    for one in reversed(_CLASSES):
-        bpy.utils.unregister_class(one)
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

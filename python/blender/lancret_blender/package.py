@@ -1,5 +1,5 @@
-"""Finds the Python package `lancret`: in this folder, as the zip has it; in the
-environment; or beside `blender/`, as the source tree has it."""
+"""Finds the Python package `lancret`: in this folder (the zip), in the environment, or
+beside `blender/` (the source tree)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _HERE = Path(__file__).resolve().parent
 
 
 def lancret() -> ModuleType:
-    """The package, found once. Raises ImportError where there is none."""
+    """The package, imported on the first call. Raises ImportError."""
     loaded = sys.modules.get("lancret")
     if loaded is not None:
         return loaded

@@ -7,7 +7,7 @@ from typing import Any
 
 import bpy
 
-from .settings import is_lancret
+from .objects import is_lancret
 
 
 class OBJECT_PT_lancret(bpy.types.Panel):
@@ -21,22 +21,22 @@ class OBJECT_PT_lancret(bpy.types.Panel):
         return context.object is not None and is_lancret(context.object)
 
     def draw(self, context: Any) -> None:
-        told, layout = context.object.lancret, self.layout
+        settings, layout = context.object.lancret, self.layout
         layout.use_property_split = True
-        for text in (told.error, told.render_error):
+        for text in (settings.error, settings.render_error):
             if text:
                 self._error(layout.box(), text, context.region.width)
         row = layout.row()
         row.operator("object.lancret_update", icon="FILE_REFRESH")
-        row.prop(told, "live", toggle=True)
-        layout.prop(told, "source")
-        if told.source == "FILE":
-            layout.prop(told, "file")
+        row.prop(settings, "live", toggle=True)
+        layout.prop(settings, "source")
+        if settings.source == "FILE":
+            layout.prop(settings, "file")
         else:
-            for guides in told.guides:
+            for guides in settings.guides:
                 layout.prop(guides, "object", text="")
             layout.operator("object.lancret_take")
-        layout.prop(told, "scalp")
+        layout.prop(settings, "scalp")
         for names in (
             ("count", "viewport", "seed"),
             ("blend", "neighbours"),
@@ -46,8 +46,8 @@ class OBJECT_PT_lancret(bpy.types.Panel):
         ):
             column = layout.column(align=True)
             for name in names:
-                column.prop(told, name)
-        self._figures(layout.column(align=True), told)
+                column.prop(settings, name)
+        self._figures(layout.column(align=True), settings)
 
     def _error(self, box: Any, text: str, width: int) -> None:
         box.alert = True
@@ -55,12 +55,12 @@ class OBJECT_PT_lancret(bpy.types.Panel):
         for number, line in enumerate(lines):
             box.label(text=line, icon="BLANK1" if number else "ERROR")
 
-    def _figures(self, column: Any, told: Any) -> None:
-        column.label(text=f"{told.strands:,} of {told.all_strands:,} strands shown")
-        if told.last_frame > told.first_frame:
-            column.label(text=f"Moves in frames {told.first_frame} to {told.last_frame}")
-        if told.end_error > 0:
-            column.label(text=f"Ends are drawn within {told.end_error:.2g} cm")
+    def _figures(self, column: Any, settings: Any) -> None:
+        column.label(text=f"{settings.strands:,} of {settings.all_strands:,} strands shown")
+        if settings.last_frame > settings.first_frame:
+            column.label(text=f"Moves from frame {settings.first_frame} to {settings.last_frame}")
+        if settings.end_error > 0:
+            column.label(text=f"Error at the ends: at most {settings.end_error:.2g} cm")
 
 
 def register() -> None:

@@ -1,7 +1,7 @@
-"""Strands of the scene's objects: points on them, in the object's own space, root first.
+"""Reads strands from objects of the scene as points in object space, root first.
 
-Curves and hair curves are read as they are, without modifiers; hair particles as the view
-layer has evaluated them.
+Curves and hair curves are read without modifiers, hair particles as evaluated in the view
+layer.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ Floats = npt.NDArray[np.float32]
 Counts = npt.NDArray[np.uint32]
 
 
-def read(thing: bpy.types.Object, graph: Any) -> tuple[Floats, Counts]:
-    """Points [n][3] and how many each strand has; what has fewer than two, or goes round,
-    is left out. `graph`: the depsgraph that hair particles are looked up in."""
-    if thing.type == "CURVES":
-        return _hair_curves(thing.data)
-    if thing.type == "CURVE":
-        found = [_spline(spline) for spline in thing.data.splines]
+def read(obj: bpy.types.Object, graph: Any) -> tuple[Floats, Counts]:
+    """Points [n][3] and the number of points of each strand. Strands of one point and
+    cyclic curves are skipped. `graph`: the depsgraph, needed for hair particles."""
+    if obj.type == "CURVES":
+        return _hair_curves(obj.data)
+    if obj.type == "CURVE":
+        found = [_spline(spline) for spline in obj.data.splines]
     else:
-        found = _particles(thing.evaluated_get(graph))
-    kept = [np.asarray(one, dtype=np.float32) for one in found if len(one) >= 2]
+        found = _particles(obj.evaluated_get(graph))
+    kept = [np.asarray(points, dtype=np.float32) for points in found if len(points) >= 2]
     if not kept:
         return np.empty((0, 3), np.float32), np.empty(0, np.uint32)
-    return np.concatenate(kept), np.array([len(one) for one in kept], np.uint32)
+    return np.concatenate(kept), np.array([len(points) for points in kept], np.uint32)
 
 
 def _hair_curves(curves: Any) -> tuple[Floats, Counts]:
@@ -62,15 +62,15 @@ def _bezier(spline: Any) -> Any:
     steps = max(1, spline.resolution_u) + 1
     places = [knots[0].co[:]] if len(knots) else []
     for first, second in zip(knots[:-1], knots[1:]):
-        piece = interpolate_bezier(
+        segment = interpolate_bezier(
             first.co, first.handle_right, second.handle_left, second.co, steps
         )
-        places += [place[:] for place in piece[1:]]
+        places += [place[:] for place in segment[1:]]
     return places
 
 
 def _nurbs(points: Floats, spline: Any) -> Any:
-    """Places at equal steps of the parameter; w is the weight."""
+    """Places at equal steps of the parameter. `points` [n][4]: x y z weight."""
     count = len(points)
     if count < max(2, spline.order_u):
         return []
@@ -83,7 +83,7 @@ def _nurbs(points: Floats, spline: Any) -> Any:
 
 
 def _knots(count: int, order: int, ends: bool, bezier: bool) -> Any:
-    """As Blender has them: each once, of Bezier curves order - 1 times."""
+    """Blender's knots: simple ones, or of multiplicity order - 1 for Bezier curves."""
     each = order - 1 if bezier else 1
     first = order if ends else min(2, each)
     knots = 1.0 + (np.arange(count + order) - first) // each
@@ -95,13 +95,12 @@ def _knots(count: int, order: int, ends: bool, bezier: bool) -> Any:
 
 @functools.cache
 def _weights(count: int, order: int, ends: bool, bezier: bool, steps: int) -> Any:
-    """[steps + 1][count] of the control points in each place, by de Boor."""
+    """[steps + 1][count]: weights of the control points at each place, by de Boor's
+    algorithm; empty if there are too few points for the order."""
     knots = _knots(count, order, ends, bezier)
     if knots[order - 1] >= knots[count]:
-        return np.empty((0, count))  # too few points for the order
-    last = (
-        int(np.searchsorted(knots, knots[count])) - 1
-    )  # of the spans that have a length
+        return np.empty((0, count))
+    last = int(np.searchsorted(knots, knots[count])) - 1  # last span of positive length
     rows = []
     for u in np.linspace(knots[order - 1], knots[count], steps + 1):
         span = min(int(np.searchsorted(knots, u, side="right")) - 1, last)

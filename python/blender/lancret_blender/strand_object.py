@@ -1,10 +1,9 @@
 """The objects that hold strands in Blender.
 
-A Lancret object is an (empty) hair Curves object: Cycles draws nothing else as hair. Its
-strands are a mesh of edges, of an object that no collection has, and geometry nodes make
-curves of them whenever Blender evaluates the object. That way everything can be written
-from Python at once and anywhere, in a render's handlers too; Blender 3.4 has no call that
-would resize Curves.
+A Lancret object is an empty hair Curves object, because Cycles draws only those as hair.
+Its strands are the edges of a mesh whose object is in no collection; geometry nodes turn
+them into curves when Blender evaluates the object. So all data can be written from Python
+at any time, even in the handlers of a render; Blender 3.4 cannot resize Curves.
 """
 
 from __future__ import annotations
@@ -20,85 +19,84 @@ NAME = "Lancret hair"
 
 
 def make(context: Any, parent: bpy.types.Object | None) -> bpy.types.Object:
-    """A Lancret object without strands, at its parent's place."""
-    thing = bpy.data.objects.new(NAME, bpy.data.hair_curves.new(NAME))
-    context.collection.objects.link(thing)
-    thing.parent = parent
-    told = thing.lancret
-    told.enabled = True
-    told.material = material()
-    # Data is written by handlers that a render calls from its own thread.
+    """Creates a Lancret object without strands, at its parent's place."""
+    obj = bpy.data.objects.new(NAME, bpy.data.hair_curves.new(NAME))
+    context.collection.objects.link(obj)
+    obj.parent = parent
+    settings = obj.lancret
+    settings.enabled = True
+    settings.material = material()
+    # A render calls handlers, which write data, from its own thread.
     context.scene.render.use_lock_interface = True
-    prepare(thing)
-    return thing
+    prepare(obj)
+    return obj
 
 
-def _own_points(thing: bpy.types.Object) -> None:
-    """With the strands that it was copied with, if any."""
-    told = thing.lancret
-    if told.points is not None:
-        mesh = told.points.data.copy()
+def _own_points(obj: bpy.types.Object) -> None:
+    """Gives an object points and nodes of its own; a copied object keeps its strands."""
+    settings = obj.lancret
+    if settings.points is not None:
+        mesh = settings.points.data.copy()
     else:
-        mesh = bpy.data.meshes.new(f"{thing.name} points")
-    told.points = bpy.data.objects.new(mesh.name, mesh)
-    told.nodes = _nodes(told.points)
+        mesh = bpy.data.meshes.new(f"{obj.name} points")
+    settings.points = bpy.data.objects.new(mesh.name, mesh)
+    settings.nodes = _nodes(settings.points)
 
 
 def _nodes(points: bpy.types.Object) -> bpy.types.NodeTree:
     tree = bpy.data.node_groups.new(points.name, "GeometryNodeTree")
-    for way in ("INPUT", "OUTPUT"):
-        if hasattr(tree, "interface"):  # Blender 4.0
+    for direction in ("INPUT", "OUTPUT"):
+        if hasattr(tree, "interface"):  # Blender 4.0 and newer
             tree.interface.new_socket(
-                "Geometry", in_out=way, socket_type="NodeSocketGeometry"
+                "Geometry", in_out=direction, socket_type="NodeSocketGeometry"
             )
         else:
-            sockets = tree.inputs if way == "INPUT" else tree.outputs
+            sockets = tree.inputs if direction == "INPUT" else tree.outputs
             sockets.new("NodeSocketGeometry", "Geometry")
     source = tree.nodes.new("GeometryNodeObjectInfo")
     source.inputs["Object"].default_value = points
     curves = tree.nodes.new("GeometryNodeMeshToCurve")
-    coat = tree.nodes.new("GeometryNodeSetMaterial")
+    set_material = tree.nodes.new("GeometryNodeSetMaterial")
     output = tree.nodes.new("NodeGroupOutput")
-    for place, node in enumerate((source, curves, coat, output)):
-        node.location = (200 * place, 0)
+    for column, node in enumerate((source, curves, set_material, output)):
+        node.location = (200 * column, 0)
     tree.links.new(source.outputs["Geometry"], curves.inputs[0])
-    tree.links.new(curves.outputs[0], coat.inputs["Geometry"])
-    tree.links.new(coat.outputs[0], output.inputs[0])
+    tree.links.new(curves.outputs[0], set_material.inputs["Geometry"])
+    tree.links.new(set_material.outputs[0], output.inputs[0])
     return tree
 
 
-def prepare(thing: bpy.types.Object) -> None:
-    """Points and nodes of its own, where it is a copy of another or they are gone; its
-    modifier and material."""
-    told = thing.lancret
+def prepare(obj: bpy.types.Object) -> None:
+    """Ensures that an object has points and nodes of its own (a copy shares those of its
+    original), the modifier, and its material."""
+    settings = obj.lancret
     shared = any(
-        other != thing and other.lancret.points == told.points
+        other != obj and other.lancret.points == settings.points
         for other in bpy.data.objects
         if other.type == "CURVES" and other.lancret.enabled
     )
-    if told.points is None or shared:
-        _own_points(thing)
-    coat = _coat(told.nodes)
-    if coat is None:
-        told.nodes = _nodes(told.points)
-        coat = _coat(told.nodes)
-    if coat.inputs["Material"].default_value != told.material:
-        coat.inputs["Material"].default_value = told.material
-    modifier = thing.modifiers.get("Lancret") or thing.modifiers.new("Lancret", "NODES")
-    if modifier.node_group != told.nodes:
-        modifier.node_group = told.nodes
+    if settings.points is None or shared:
+        _own_points(obj)
+    set_material = _set_material_node(settings.nodes)
+    if set_material is None:
+        settings.nodes = _nodes(settings.points)
+        set_material = _set_material_node(settings.nodes)
+    if set_material.inputs["Material"].default_value != settings.material:
+        set_material.inputs["Material"].default_value = settings.material
+    modifier = obj.modifiers.get("Lancret") or obj.modifiers.new("Lancret", "NODES")
+    if modifier.node_group != settings.nodes:
+        modifier.node_group = settings.nodes
 
 
-def _coat(tree: bpy.types.NodeTree | None) -> Any:
-    """The node that sets the material; none where the tree has it no more."""
+def _set_material_node(tree: bpy.types.NodeTree | None) -> Any:
+    """The node that sets the material; None if it was deleted."""
     kind = "GeometryNodeSetMaterial"
-    return (
-        next((one for one in tree.nodes if one.bl_idname == kind), None) if tree else None
-    )
+    nodes = tree.nodes if tree else ()
+    return next((node for node in nodes if node.bl_idname == kind), None)
 
 
 def write(mesh: bpy.types.Mesh, strands: Strands) -> None:
-    """Edges from each point of a strand to the next."""
+    """Replaces the mesh by edges from each point of a strand to the next."""
     mesh.clear_geometry()
     points = len(strands.points)
     mesh.vertices.add(points)
@@ -121,18 +119,18 @@ def _attribute(mesh: Any, name: str, kind: str, field: str, values: Any) -> None
 
 
 def material() -> bpy.types.Material:
-    """One of hair, made where there is none."""
-    found = bpy.data.materials.get(NAME)
-    if found is not None:
-        return found
-    made = bpy.data.materials.new(NAME)
+    """The default hair material, created on the first call."""
+    existing = bpy.data.materials.get(NAME)
+    if existing is not None:
+        return existing
+    created = bpy.data.materials.new(NAME)
     if bpy.app.version < (5, 0):
-        made.use_nodes = True
-    nodes = made.node_tree.nodes
+        created.use_nodes = True
+    nodes = created.node_tree.nodes
     nodes.clear()
     hair = nodes.new("ShaderNodeBsdfHairPrincipled")
     hair.parametrization = "MELANIN"
     output = nodes.new("ShaderNodeOutputMaterial")
     output.location = (300, 0)
-    made.node_tree.links.new(hair.outputs[0], output.inputs["Surface"])
-    return made
+    created.node_tree.links.new(hair.outputs[0], output.inputs["Surface"])
+    return created

@@ -1,4 +1,4 @@
-"""From what Lancret gives to what Blender draws: axes, ends, velocities. No bpy here."""
+"""Converts Lancret's curves to Blender's: axes, ends, velocities. Does not need bpy."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import numpy.typing as npt
 
 Floats = npt.NDArray[np.float32]
 
-# Cycles draws curves through their points, as Catmull-Rom does.
+# Cycles draws Catmull-Rom curves.
 BASIS = "catmull-rom"
 
-# Which of a groom's axes are Blender's x, y and z, and with what sign: turns by quarters,
-# so that a coordinate stays the number that it was.
+# up axis -> for each of Blender's axes: the groom's axis and its sign. These are quarter
+# turns, which round nothing.
 _AXES = {
     "X": ((2, -1), (1, 1), (0, 1)),
     "Y": ((0, 1), (2, -1), (1, 1)),
@@ -28,7 +28,7 @@ def up_axis(up: Sequence[float]) -> str:
 
 
 def to_blender(points: Any, up: str) -> Floats:
-    """[..., 3] of a groom's axes to Blender's, where z is up."""
+    """[..., 3] from a groom's axes to Blender's, where z is up."""
     turned = np.empty((*points.shape[:-1], 3), dtype=np.float32)
     for axis, (place, sign) in enumerate(_AXES[up]):
         turned[..., axis] = points[..., place] if sign > 0 else -points[..., place]
@@ -36,7 +36,7 @@ def to_blender(points: Any, up: str) -> Floats:
 
 
 def from_blender(points: Any, up: str) -> Floats:
-    """The other way."""
+    """The inverse of `to_blender`."""
     turned = np.empty((*points.shape[:-1], 3), dtype=np.float32)
     for axis, (place, sign) in enumerate(_AXES[up]):
         turned[..., place] = points[..., axis] if sign > 0 else -points[..., axis]
@@ -47,21 +47,21 @@ def from_blender(points: Any, up: str) -> Floats:
 class Strands:
     points: Floats  #: [points][3], in Blender's units and axes
     radii: Floats  #: [points]
-    last: npt.NDArray[np.int64]  #: [strands], last point of each
-    velocities: Floats | None  #: [points][3], units a second
-    end_error: float  #: that Cycles' ends are beside the curves that were asked for
+    last: npt.NDArray[np.int64]  #: [strands], index of the last point of each
+    velocities: Floats | None  #: [points][3], units per second
+    end_error: float  #: bound of Cycles' error at the ends of strands, units
 
     def __len__(self) -> int:
         return len(self.last)
 
 
-def drawn(curves: Any, up: str, times: tuple[float, ...], a_second: float) -> Strands:
-    """Of lancret.Curves in BASIS. Where `times` are three, the middle one is drawn, and
-    velocities are from the first to the last; `a_second`: frames."""
+def drawn(curves: Any, up: str, times: tuple[float, ...], fps: float) -> Strands:
+    """Converts lancret.Curves in BASIS. Of three `times`, in frames, the middle one is
+    drawn and the velocities are the mean from the first to the last."""
     counts = curves.counts.astype(np.int64)
     ends = np.cumsum(counts) - 1
     starts = ends - counts + 1
-    # Lancret's first and last points only turn the ends, and Cycles would draw to them.
+    # The first and last control points only set end tangents; Cycles would draw to them.
     kept = np.ones(curves.positions.shape[1], dtype=bool)
     kept[starts] = kept[ends] = False
     middle = len(curves.positions) // 2
@@ -70,7 +70,7 @@ def drawn(curves: Any, up: str, times: tuple[float, ...], a_second: float) -> St
     velocities = None
     if len(times) == 3 and times[2] > times[0]:
         moved = curves.positions[2] - curves.positions[0]
-        rate = np.float32(a_second / (times[2] - times[0]))
+        rate = np.float32(fps / (times[2] - times[0]))
         velocities = to_blender(moved[kept, :3] * rate, up)
     return Strands(
         points=to_blender(inner[:, :3], up),
@@ -84,14 +84,14 @@ def drawn(curves: Any, up: str, times: tuple[float, ...], a_second: float) -> St
     )
 
 
-def _end_error(values: Any, outer: Any, end: Any, next_one: Any) -> float:
-    """Most that a first or last piece is off sideways as Cycles draws it, which takes the
-    end twice in place of the outer point: the derivative at the end is then off by half
-    of (outer - end), the curve by at most 4/27 of that."""
+def _end_error(values: Any, outer: Any, end: Any, inner: Any) -> float:
+    """Bound of the sideways error of the first or last segments in Cycles. Cycles
+    duplicates the end point in place of the outer point; this changes the derivative at
+    the end by half of (outer - end), and the curve by at most 4/27 of that."""
     if not len(end):
         return 0.0
     off = values[outer, :3].astype(np.float64) - values[end, :3]
-    along = values[next_one, :3].astype(np.float64) - values[end, :3]
+    along = values[inner, :3].astype(np.float64) - values[end, :3]
     length = np.maximum(np.linalg.norm(along, axis=1), 1e-30)
     across = np.linalg.norm(np.cross(off, along), axis=1) / length
     return float(across.max() * 2 / 27)

@@ -47,8 +47,8 @@ class InBlender(unittest.TestCase):
         bpy.ops.object.lancret_add(filepath=str(path or self.groom))
         return bpy.context.object
 
-    def update(self, thing):
-        bpy.context.view_layer.objects.active = thing
+    def update(self, obj):
+        bpy.context.view_layer.objects.active = obj
         bpy.ops.object.lancret_update()
 
     def small_render(self):
@@ -63,9 +63,9 @@ class InBlender(unittest.TestCase):
         self.scene.render.filepath = str(self.folder / "picture.png")
 
 
-def evaluated(thing):
+def evaluated(obj):
     """Points [n][3], radii [n] and counts of what Blender draws of an object."""
-    curves = thing.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+    curves = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
     points = np.empty((len(curves.points), 3), np.float32)
     curves.attributes["position"].data.foreach_get("vector", points.ravel())
     radii = np.empty(len(points), np.float32)

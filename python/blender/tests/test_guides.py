@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 from support import InBlender, assert_same, evaluated, same_bits
 
-from lancret_blender import scene_guides, sources, strands
+from lancret_blender import scene_guides, scene_source, strands
 from lancret_blender.package import lancret
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
@@ -20,9 +20,9 @@ def legacy_curve(name, kind, strands_of_points):
         places.add(len(points) - len(places))
         for place, point in zip(places, points):
             place.co = point if kind == "BEZIER" else (*point, 1)
-    thing = bpy.data.objects.new(name, data)
-    bpy.context.scene.collection.objects.link(thing)
-    return thing
+    obj = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(obj)
+    return obj
 
 
 def fur(side=5, points=6, length=0.1):
@@ -62,19 +62,19 @@ class Guides(InBlender):
         self.assertEqual(counts.tolist(), [6] * 25)
 
     def test_of_hair_curves_are_their_points(self):
-        thing = self.add()
-        self.update(thing)
-        evaluated_thing = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
-        points, counts = scene_guides.read(evaluated_thing, graph())
-        expected, _, sizes = evaluated(thing)
+        obj = self.add()
+        self.update(obj)
+        evaluated_obj = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        points, counts = scene_guides.read(evaluated_obj, graph())
+        expected, _, sizes = evaluated(obj)
         self.assertTrue(same_bits(points, expected))
         self.assertTrue(np.array_equal(counts, sizes))
 
     def test_of_bezier_curves_lie_on_them(self):
-        thing = legacy_curve("arc", "BEZIER", [[(0, 0, 0), (1, 0, 1)]])
-        first, second = thing.data.splines[0].bezier_points
+        obj = legacy_curve("arc", "BEZIER", [[(0, 0, 0), (1, 0, 1)]])
+        first, second = obj.data.splines[0].bezier_points
         first.handle_right, second.handle_left = (0, 0, 1), (0, 0, 1)
-        points, counts = scene_guides.read(thing, graph())
+        points, counts = scene_guides.read(obj, graph())
         self.assertEqual(counts.tolist(), [len(points)])
         t = np.linspace(0, 1, len(points))
         self.assertLess(np.abs(points[:, 0] - t**3).max(), 1e-6)
@@ -93,13 +93,13 @@ class Guides(InBlender):
         for ends, bezier, order, count in itertools.product(
             (False, True), (False, True), (3, 4, 5), (5, 6, 7)
         ):
-            thing = legacy_curve("nurbs", "NURBS", [given[:count]])
-            spline = thing.data.splines[0]
+            obj = legacy_curve("nurbs", "NURBS", [given[:count]])
+            spline = obj.data.splines[0]
             spline.use_endpoint_u, spline.use_bezier_u = ends, bezier
             spline.order_u = order
             spline.points[2].co[3] = 2
-            points, _ = scene_guides.read(thing, graph())
-            mesh = thing.to_mesh()
+            points, _ = scene_guides.read(obj, graph())
+            mesh = obj.to_mesh()
             drawn = np.array([vertex.co for vertex in mesh.vertices])
             if (ends, bezier, order, count) == (False, True, 5, 5):  # no knot in between
                 self.assertEqual(len(points), 0)
@@ -111,12 +111,12 @@ class Guides(InBlender):
             with self.subTest(ends=ends, bezier=bezier, order=order, count=count):
                 self.assertLess(off.max(), step / 3)
                 self.assertLess(np.abs(points[[0, -1]] - drawn[[0, -1]]).max(), 1e-5)
-            thing.to_mesh_clear()
+            obj.to_mesh_clear()
 
     def test_that_go_round_or_have_one_point_are_left_out(self):
-        thing = legacy_curve("some", "POLY", [fur()[0], fur()[1], fur()[2][:1]])
-        thing.data.splines[1].use_cyclic_u = True
-        self.assertEqual(scene_guides.read(thing, graph())[1].tolist(), [6])
+        obj = legacy_curve("some", "POLY", [fur()[0], fur()[1], fur()[2][:1]])
+        obj.data.splines[1].use_cyclic_u = True
+        self.assertEqual(scene_guides.read(obj, graph())[1].tolist(), [6])
 
     def test_of_hair_particles_begin_on_the_mesh(self):
         mesh = plane()
@@ -135,14 +135,14 @@ class Guides(InBlender):
         scalp.location = guides.location = (1, 2, 3)
         select(scalp, guides)
         bpy.ops.object.lancret_add()
-        thing = bpy.context.object
-        told = thing.lancret
-        self.assertEqual(told.error, "")
-        self.assertEqual((told.source, told.scalp), ("SCENE", scalp))
-        self.assertEqual(thing.parent, scalp)
-        told.count, told.viewport = 300, 1
-        self.update(thing)
-        points, _, counts = evaluated(thing)
+        obj = bpy.context.object
+        settings = obj.lancret
+        self.assertEqual(settings.error, "")
+        self.assertEqual((settings.source, settings.scalp), ("SCENE", scalp))
+        self.assertEqual(obj.parent, scalp)
+        settings.count, settings.viewport = 300, 1
+        self.update(obj)
+        points, _, counts = evaluated(obj)
         self.assertEqual(len(counts), 300)
         roots = points[np.cumsum(counts) - counts]
         tips = points[np.cumsum(counts) - 1]
@@ -150,54 +150,54 @@ class Guides(InBlender):
         self.assertLess(np.abs(roots[:, :2]).max(), 0.121)
         # Guides are 0.1 high and lean 0.03; fitted helices are within a tenth of that.
         self.assertLess(np.abs(tips - roots - [0.03, 0, 0.1]).max(), 0.01)
-        place = np.array(thing.matrix_world.translation)
+        place = np.array(obj.matrix_world.translation)
         self.assertLess(np.abs(place - (1, 2, 3)).max(), 1e-6)
 
     def test_are_handed_on_where_they_stand(self):
         guides = legacy_curve("fur", "POLY", fur())
         guides.location, guides.rotation_euler = (0, 0, 0.5), (0, 0, np.pi / 2)
-        thing = self.add()
-        told = thing.lancret
-        told.source = "SCENE"
-        told.guides.add().object = guides
+        obj = self.add()
+        settings = obj.lancret
+        settings.source = "SCENE"
+        settings.guides.add().object = guides
         bpy.context.view_layer.update()
-        source = sources.source_of(thing, self.scene)
+        source = scene_source.source_of(obj, self.scene)
         turned = np.concatenate(fur())[:, [1, 0, 2]] * [-1, 1, 1] + [0, 0, 0.5]
         self.assertLess(np.abs(source.strands.points - turned).max(), 1e-6)
         self.assertEqual((source.strands.up, source.strands.metres_per_unit), ("Z", 1))
 
     def test_whose_nodes_and_modifier_are_gone_are_drawn_after_an_update(self):
-        thing = self.add()
-        before = evaluated(thing)
-        thing.modifiers.clear()
-        self.update(thing)
-        assert_same(self, evaluated(thing), before)
-        thing.lancret.nodes.nodes["Set Material"].name = "x"
-        self.update(thing)
-        self.assertEqual(thing.lancret.error, "")
-        thing.lancret.nodes.nodes.clear()
-        self.update(thing)
-        assert_same(self, evaluated(thing), before)
+        obj = self.add()
+        before = evaluated(obj)
+        obj.modifiers.clear()
+        self.update(obj)
+        assert_same(self, evaluated(obj), before)
+        obj.lancret.nodes.nodes["Set Material"].name = "x"
+        self.update(obj)
+        self.assertEqual(obj.lancret.error, "")
+        obj.lancret.nodes.nodes.clear()
+        self.update(obj)
+        assert_same(self, evaluated(obj), before)
 
 
 class Scalp(InBlender):
     def test_of_a_file_is_not_what_happens_to_be_selected(self):
         select(plane())
-        thing = self.add()
-        self.assertIsNone(thing.lancret.scalp)
-        self.assertIsNone(thing.parent)
-        self.assertEqual(thing.lancret.error, "")
+        obj = self.add()
+        self.assertIsNone(obj.lancret.scalp)
+        self.assertIsNone(obj.parent)
+        self.assertEqual(obj.lancret.error, "")
 
     def test_of_a_file_is_given_in_the_files_axes_and_units(self):
         for mirror in (1, -1):
             self.look_at_the_scalp(mirror)
 
     def look_at_the_scalp(self, mirror):
-        thing, scalp = self.add(), plane()
+        obj, scalp = self.add(), plane()
         scalp.location, scalp.scale = (0, 0, 0.2), (mirror, 1, 1)
-        thing.lancret.scalp = scalp
-        sources.update_objects([thing], self.scene)
-        mesh = sources.source_of(thing, self.scene).scalp
+        obj.lancret.scalp = scalp
+        scene_source.update_scene_objects([obj], self.scene)
+        mesh = scene_source.source_of(obj, self.scene).scalp
         self.assertEqual(len(mesh.corners), 2)
         self.assertLess(np.abs(mesh.positions[:, 1] - 20).max(), 1e-4)
         self.assertLess(np.abs(np.abs(mesh.positions[:, [0, 2]]) - 12).max(), 1e-4)
@@ -213,11 +213,11 @@ class Scalp(InBlender):
 class Ends(InBlender):
     def test_are_within_the_tolerance(self):
         """Of the made groom, whose curls are wound as tightly as hair is."""
-        thing = self.add(EXAMPLES / "made_groom.toml")
-        thing.lancret.viewport, thing.lancret.count = 1, 2000
-        self.update(thing)
+        obj = self.add(EXAMPLES / "made_groom.toml")
+        obj.lancret.viewport, obj.lancret.count = 1, 2000
+        self.update(obj)
         self.assertIn("tolerance = 0.06 ", (EXAMPLES / "made_groom.toml").read_text())
-        self.assertTrue(0 < thing.lancret.end_error < 0.06, thing.lancret.end_error)
+        self.assertTrue(0 < obj.lancret.end_error < 0.06, obj.lancret.end_error)
 
     def test_are_the_curves_own_but_for_the_error_that_is_told(self):
         with lancret().open(self.groom) as groom:

@@ -1,7 +1,7 @@
 import bpy
 from support import InBlender
 
-from lancret_blender import later, panel
+from lancret_blender import deferred, panel
 
 
 class Layout:
@@ -41,16 +41,16 @@ class Panel(InBlender):
         return Drawn.layout.texts
 
     def test_shows_values_and_figures(self):
-        thing = self.add()
+        obj = self.add()
         texts = self.texts()
         for name in ("Strands", "Viewport share", "Scalp", "Blend", "Seed", "File"):
             self.assertIn(name, texts)
-        self.assertIn(f"{thing.lancret.strands} of 400 strands shown", texts)
+        self.assertIn(f"{obj.lancret.strands} of 400 strands shown", texts)
 
     def test_shows_what_is_at_fault(self):
-        thing = self.add(self.folder / "none.toml")
-        self.assertTrue(thing.lancret.error)
-        self.assertIn(thing.lancret.error, self.texts())
+        obj = self.add(self.folder / "none.toml")
+        self.assertTrue(obj.lancret.error)
+        self.assertIn(obj.lancret.error, self.texts())
 
     def test_is_not_there_for_other_objects(self):
         bpy.ops.mesh.primitive_plane_add()
@@ -59,10 +59,10 @@ class Panel(InBlender):
 
 class Live(InBlender):
     def test_update_of_the_timer_grows_anew(self):
-        thing = self.add()
-        thing.lancret.count = 150
-        self.assertEqual(thing.lancret.all_strands, 400)
-        later._names.update((thing.name, "another that is gone"))
-        self.assertIsNone(later._tick())
-        self.assertEqual(thing.lancret.all_strands, 150)
-        self.assertFalse(later._names)
+        obj = self.add()
+        obj.lancret.count = 150
+        self.assertEqual(obj.lancret.all_strands, 400)
+        deferred._names.update((obj.name, "another that is gone"))
+        self.assertIsNone(deferred._tick())
+        self.assertEqual(obj.lancret.all_strands, 150)
+        self.assertFalse(deferred._names)

@@ -6,7 +6,7 @@ import numpy as np
 import test_guides
 from support import GROOM, InBlender, assert_same, evaluated, of_the_abi, simulate
 
-from lancret_blender import grow, handlers
+from lancret_blender import grow, render_state
 from lancret_blender.package import lancret
 
 MOTION = """
@@ -37,8 +37,8 @@ class Render(InBlender):
         self.addCleanup(bpy.app.handlers.render_post.remove, look)
         return found
 
-    def drawn(self, thing):
-        mesh = thing.lancret.points.data
+    def drawn(self, obj):
+        mesh = obj.lancret.points.data
         points = np.empty((len(mesh.vertices), 3), np.float32)
         mesh.vertices.foreach_get("co", points.ravel())
         radii = np.empty(len(points), np.float32)
@@ -57,32 +57,32 @@ class Render(InBlender):
         self.assertTrue(np.array_equal(edges, np.stack([first, first + 1], -1)))
 
     def test_has_all_strands_and_the_viewport_its_own_again(self):
-        thing = self.add()
-        before = evaluated(thing)
+        obj = self.add()
+        before = evaluated(obj)
         meshes = len(bpy.data.meshes)
         self.small_render()
         seen = self.seen()
         bpy.ops.render.render()
         self.assertEqual(len(seen), 1)
         self.assert_whole(seen[0][1:], of_the_abi(self.groom))
-        assert_same(self, evaluated(thing), before)
+        assert_same(self, evaluated(obj), before)
         self.assertEqual(len(bpy.data.meshes), meshes)
-        self.assertFalse(handlers.rendering())
+        self.assertFalse(render_state.rendering())
 
     def test_draws_what_the_viewport_does_not(self):
-        thing = self.add()
-        thing.lancret.viewport = 0.0025
-        thing.lancret.root_width = thing.lancret.tip_width = 0.4
-        self.update(thing)
-        self.assertLess(thing.lancret.strands, 10)
+        obj = self.add()
+        obj.lancret.viewport = 0.0025
+        obj.lancret.root_width = obj.lancret.tip_width = 0.4
+        self.update(obj)
+        self.assertLess(obj.lancret.strands, 10)
         self.view_from_the_front()
         every = self.covered()
         self.assertGreater(every, 0.02)
-        thing.lancret.count = 20
+        obj.lancret.count = 20
         few = self.covered()
         self.assertTrue(0 < few < every / 4, (few, every))
-        thing.lancret.count, thing.lancret.viewport = 0, 1
-        self.update(thing)
+        obj.lancret.count, obj.lancret.viewport = 0, 1
+        self.update(obj)
         self.assertEqual(self.covered(), every)
 
     def view_from_the_front(self):
@@ -99,15 +99,15 @@ class Render(InBlender):
         return float(alpha_of(self.scene.render.filepath).mean())
 
     def test_has_no_hair_where_the_groom_is_at_fault(self):
-        thing = self.add()
-        before = evaluated(thing)
+        obj = self.add()
+        before = evaluated(obj)
         self.groom.write_text("[strands]\ncount = 'many'\n")
         self.small_render()
         seen = self.seen()
         bpy.ops.render.render()
         self.assertEqual(len(seen[0][1]), 0)
-        self.assertRegex(thing.lancret.render_error, "^frame 1: .*groom.toml:2")
-        assert_same(self, evaluated(thing), before)
+        self.assertRegex(obj.lancret.render_error, "^frame 1: .*groom.toml:2")
+        assert_same(self, evaluated(obj), before)
 
     def animate(self, first, last):
         self.small_render()
@@ -118,7 +118,7 @@ class Render(InBlender):
         return seen
 
     def test_keeps_what_was_at_fault_in_a_frame_until_an_update(self):
-        thing = self.add()
+        obj = self.add()
         text = self.groom.read_text()
 
         def spoil(scene, *_):
@@ -131,9 +131,9 @@ class Render(InBlender):
         finally:
             bpy.app.handlers.render_pre.remove(spoil)
         self.assertEqual([len(points) > 0 for _, points, *_ in seen], [True, False, True])
-        self.assertRegex(thing.lancret.render_error, "^frame 2: .*count")
-        self.update(thing)
-        self.assertEqual(thing.lancret.render_error, "")
+        self.assertRegex(obj.lancret.render_error, "^frame 2: .*count")
+        self.update(obj)
+        self.assertEqual(obj.lancret.render_error, "")
 
     def test_leaves_the_viewport_of_a_copy_and_of_its_original(self):
         first = self.add()
@@ -165,18 +165,18 @@ class Render(InBlender):
         )
 
     def test_fills_the_viewport_where_its_points_were_deleted(self):
-        thing = self.add()
-        before = evaluated(thing)
-        bpy.data.objects.remove(thing.lancret.points)
+        obj = self.add()
+        before = evaluated(obj)
+        bpy.data.objects.remove(obj.lancret.points)
         self.small_render()
         bpy.ops.render.render()
-        assert_same(self, evaluated(thing), before)
+        assert_same(self, evaluated(obj), before)
 
     def test_has_all_strands_of_instanced_collections(self):
-        thing = self.add()
+        obj = self.add()
         collection = bpy.data.collections.new("hair")
-        collection.objects.link(thing)
-        self.scene.collection.objects.unlink(thing)
+        collection.objects.link(obj)
+        self.scene.collection.objects.unlink(obj)
         place = bpy.data.objects.new("place", None)
         place.instance_type, place.instance_collection = "COLLECTION", collection
         self.scene.collection.objects.link(place)
@@ -184,7 +184,7 @@ class Render(InBlender):
         found = []
 
         def look(*_):
-            found.append(self.drawn(thing))
+            found.append(self.drawn(obj))
 
         bpy.app.handlers.render_post.append(look)
         try:
@@ -195,42 +195,42 @@ class Render(InBlender):
             bpy.app.handlers.render_post.remove(look)
         self.assert_whole(found[0], of_the_abi(self.groom))
         self.assertEqual(
-            len(found[1][0]), len(evaluated(thing)[0])
+            len(found[1][0]), len(evaluated(obj)[0])
         )  # not seen, not grown
 
     def test_grows_nothing_of_a_hidden_collection(self):
-        thing = self.add()
+        obj = self.add()
         collection = bpy.data.collections.new("hidden")
         self.scene.collection.children.link(collection)
-        collection.objects.link(thing)
-        self.scene.collection.objects.unlink(thing)
+        collection.objects.link(obj)
+        self.scene.collection.objects.unlink(obj)
         collection.hide_render = True
         self.small_render()
         seen = self.seen()
         bpy.ops.render.render()
-        self.assertEqual(len(seen[0][1]), len(evaluated(thing)[0]))
+        self.assertEqual(len(seen[0][1]), len(evaluated(obj)[0]))
 
     def add_between_curves(self):
         curves = test_guides.legacy_curve("fur", "POLY", test_guides.fur())
         test_guides.select(curves)
         bpy.ops.object.lancret_add()
-        thing = bpy.context.object
-        thing.parent = None
-        return thing, curves
+        obj = bpy.context.object
+        obj.parent = None
+        return obj, curves
 
     def test_is_of_the_scenes_unit_at_once(self):
-        thing, _ = self.add_between_curves()
+        obj, _ = self.add_between_curves()
         self.small_render()
         self.scene.unit_settings.scale_length = 0.01
         seen = self.seen()
         bpy.ops.render.render()
         # The guides' points reach from z = 0 to 0.1 of any unit; helices fit them to 1 %.
         hair = [points for _, points, *_ in seen if len(points)]
-        self.assertEqual(thing.lancret.render_error, "")
+        self.assertEqual(obj.lancret.render_error, "")
         self.assertAlmostEqual(float(np.ptp(hair[0][:, 2])), 0.1, delta=0.001)
 
     def test_has_guides_where_they_are_in_each_frame(self):
-        thing, curves = self.add_between_curves()
+        obj, curves = self.add_between_curves()
         for frame, z in ((1, 0), (3, 0.5)):
             curves.location.z = z
             curves.keyframe_insert("location", frame=frame)
@@ -272,25 +272,25 @@ class Cache(InBlender):
 
     def test_is_grown_anew_at_another_frame(self):
         self.scene.frame_set(1)
-        thing = self.add(self.cache)
-        thing.lancret.viewport = 1
-        self.update(thing)
-        self.assertEqual((thing.lancret.first_frame, thing.lancret.last_frame), (1, 4))
+        obj = self.add(self.cache)
+        obj.lancret.viewport = 1
+        self.update(obj)
+        self.assertEqual((obj.lancret.first_frame, obj.lancret.last_frame), (1, 4))
         places = []
         for frame in (1, 3, 4, 2):
             self.scene.frame_set(frame)
-            places.append(evaluated(thing)[0])
+            places.append(evaluated(obj)[0])
             expected = of_the_abi(self.cache, density=1, times=frame)
-            assert_same(self, evaluated(thing), expected)
+            assert_same(self, evaluated(obj), expected)
         self.assertGreater(np.abs(places[0] - places[1]).max(), 0.01)
         self.scene.frame_set(2, subframe=0.5)
         expected = of_the_abi(self.cache, density=1, times=2.5)
-        assert_same(self, evaluated(thing), expected)
+        assert_same(self, evaluated(obj), expected)
         self.scene.frame_set(40)  # stands still after its last
-        assert_same(self, evaluated(thing), of_the_abi(self.cache, density=1, times=4))
+        assert_same(self, evaluated(obj), of_the_abi(self.cache, density=1, times=4))
 
     def test_is_rendered_at_each_frame_of_an_animation(self):
-        thing = self.add(self.cache)
+        obj = self.add(self.cache)
         self.small_render()
         self.scene.frame_start, self.scene.frame_end = 2, 4
         self.scene.render.filepath = str(self.folder / "frame")
@@ -299,34 +299,34 @@ class Cache(InBlender):
         self.assertEqual([one[0] for one in seen], [2, 3, 4])
         for frame, *found in seen:
             Render.assert_whole(self, found, of_the_abi(self.cache, times=frame))
-        self.assertEqual(len(evaluated(thing)[2]), thing.lancret.strands)
+        self.assertEqual(len(evaluated(obj)[2]), obj.lancret.strands)
 
     drawn = Render.drawn
 
     def test_of_an_instanced_collection_follows_the_frame(self):
-        thing = self.add(self.cache)
-        thing.lancret.viewport = 1
-        self.update(thing)
+        obj = self.add(self.cache)
+        obj.lancret.viewport = 1
+        self.update(obj)
         collection = bpy.data.collections.new("hair")
-        collection.objects.link(thing)
-        self.scene.collection.objects.unlink(thing)
+        collection.objects.link(obj)
+        self.scene.collection.objects.unlink(obj)
         place = bpy.data.objects.new("place", None)
         place.instance_type, place.instance_collection = "COLLECTION", collection
         self.scene.collection.objects.link(place)
         self.scene.frame_set(3)
-        found = self.drawn(thing)
+        found = self.drawn(obj)
         expected = of_the_abi(self.cache, density=1, times=3)
         assert_same(self, (*found[:2], expected[2]), expected)
 
     def test_is_of_the_scene_that_changes_its_frame(self):
-        thing = self.add(self.cache)
-        thing.lancret.viewport = 1
-        self.update(thing)
+        obj = self.add(self.cache)
+        obj.lancret.viewport = 1
+        self.update(obj)
         other = bpy.data.scenes.new("other")
-        other.collection.objects.link(thing)
+        other.collection.objects.link(obj)
         self.scene.frame_set(1)
         other.frame_set(4)
-        found = self.drawn(thing)
+        found = self.drawn(obj)
         expected = of_the_abi(self.cache, density=1, times=4)
         assert_same(self, (*found[:2], expected[2]), expected)
 
@@ -348,8 +348,8 @@ class Cache(InBlender):
                 self.assertEqual(found, times)
 
     def test_is_drawn_at_each_frame_of_an_animation(self):
-        thing = self.add(self.cache)
-        thing.lancret.root_width = thing.lancret.tip_width = 0.4
+        obj = self.add(self.cache)
+        obj.lancret.root_width = obj.lancret.tip_width = 0.4
         Render.view_from_the_front(self)
         self.scene.frame_start, self.scene.frame_end = 2, 4
         self.scene.render.filepath = str(self.folder / "frame")
@@ -362,12 +362,12 @@ class Cache(InBlender):
         self.assertTrue(np.array_equal(last, alpha_of(self.folder / "still.png")))
 
     def test_is_blurred_by_velocities(self):
-        thing = self.add(self.cache)
+        obj = self.add(self.cache)
         self.scene.render.use_motion_blur = True
         self.scene.render.motion_blur_shutter = 0.5
         self.scene.frame_set(2)
         mesh = bpy.data.meshes.new("full")
-        self.assertTrue(grow.in_full(thing, self.scene, mesh))
+        self.assertTrue(grow.for_render(obj, self.scene, mesh))
         rates = np.empty((len(mesh.vertices), 3), np.float32)
         mesh.attributes["velocity"].data.foreach_get("vector", rates.ravel())
         before, after = (of_the_abi(self.cache, times=t)[0] for t in (1.75, 2.25))

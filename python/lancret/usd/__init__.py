@@ -1,4 +1,4 @@
-"""USD in and out, by `usd-core` (pip install lancret[usd]).
+"""Reads and writes USD with `usd-core` (pip install lancret[usd]).
 
 strands = lancret.usd.read("guides.usda")
 with lancret.open(strands=strands, scalp=lancret.usd.read_mesh("guides.usda")) as groom:

@@ -1,4 +1,4 @@
-"""usd-core, asked for only when it is needed."""
+"""usd-core, imported only with lancret.usd, and helpers to read prims."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ __all__ = ["Gf", "Kind", "Sdf", "Tf", "Usd", "UsdGeom", "Vt"]
 
 
 def stage_of(source: Any) -> Any:
-    """A stage as it is; else that of a file. Raises InputError."""
+    """`source` if it is a stage, else the stage of a file. Raises InputError."""
     if isinstance(source, Usd.Stage):
         return source
     path = os.fspath(source)
@@ -39,11 +39,11 @@ def _short(fault: Exception) -> str:
 
 
 def name_of(prim: Any) -> str:
-    """A file and a place in it, for messages."""
+    """File and path of a prim, for messages."""
     return f"{prim.GetStage().GetRootLayer().identifier}:{prim.GetPath()}"
 
 
-#: Of what is read unless said otherwise.
+#: Purposes of prims that are read by default.
 PURPOSES = ("default", "render")
 
 
@@ -54,9 +54,9 @@ def prims_of(
     time: float | None,
     purposes: Collection[str],
 ) -> list[Any]:
-    """Prims of a kind at and below `prim`, or of all the stage, that are visible and of
-    one of the purposes; instances too. `prim` itself is taken whatever it is. Raises
-    InputError where there are none, and of prims that a PointInstancer would place."""
+    """Prims of a kind at and below `prim` (None: in the whole stage), including instances,
+    that are visible and have one of the purposes; `prim` itself is always included. Raises
+    InputError if there are none, and for prims that a PointInstancer places."""
     top = stage.GetPrimAtPath(prim) if prim else stage.GetPseudoRoot()
     name = stage.GetRootLayer().identifier
     if not top:
@@ -68,19 +68,19 @@ def prims_of(
     ]
     if not found:
         raise InputError(f"{name_of(top)}: has no {kind.__name__} at or below it")
-    seen = [each for each in found if each == top or _is_seen(each, time, purposes)]
-    if not seen:
+    visible = [each for each in found if each == top or _is_visible(each, time, purposes)]
+    if not visible:
         raise InputError(
             f"{name_of(top)}: has {len(found)} {kind.__name__}, but none that is visible "
-            f"and of purpose {' or '.join(purposes)}"
+            f"and has purpose {' or '.join(purposes)}"
         )
-    for each in seen:
+    for each in visible:
         if each != top:
             _refuse_instancer(each, top)
-    return seen
+    return visible
 
 
-def _is_seen(prim: Any, time: float | None, purposes: Collection[str]) -> bool:
+def _is_visible(prim: Any, time: float | None, purposes: Collection[str]) -> bool:
     image = UsdGeom.Imageable(prim)
     hidden = image.ComputeVisibility(moment(prim, time)) == UsdGeom.Tokens.invisible
     return not hidden and str(image.ComputePurpose()) in purposes
@@ -92,14 +92,14 @@ def _refuse_instancer(prim: Any, top: Any) -> None:
         if above.IsA(UsdGeom.PointInstancer):
             raise InputError(
                 f"{name_of(prim)}: is placed by the PointInstancer {above.GetPath()}, "
-                "whose places are not read; name the prim to have it where it stands"
+                "which is not supported; name the prim to read the prototype itself"
             )
         above = above.GetParent()
 
 
 def moment(prim: Any, time: float | None) -> Any:
-    """The time to read a prim at, with its transform and all else; none: that of its
-    points' first sample; where they have none, defaults and first samples."""
+    """The time at which to read a prim, its transform and its attributes: `time`; if it is
+    None, the first sample of the points; without samples, defaults and first samples."""
     if time is not None:
         return Usd.TimeCode(time)
     samples = UsdGeom.PointBased(prim).GetPointsAttr().GetTimeSamples()
@@ -107,7 +107,7 @@ def moment(prim: Any, time: float | None) -> Any:
 
 
 def matrix_of(prim: Any, time: Any) -> np.ndarray:
-    """Local to world, for row vectors: world = [x y z 1] @ matrix."""
+    """[4][4] local to world, for row vectors: world = [x y z 1] @ matrix."""
     return np.array(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim))
 
 
@@ -119,13 +119,13 @@ def to_world(points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
 def array_of(
     attribute: Any, time: Any, shape: tuple[int, ...], dtype: Any
 ) -> np.ndarray:
-    """An attribute's value; empty where it has none. Raises InputError where a number in
-    it is not finite."""
+    """An attribute's value; empty if it has none. Raises InputError if a number is not
+    finite."""
     value = attribute.Get(time)
     array = np.array(value if value is not None else [], dtype=dtype).reshape(shape)
     if not np.isfinite(array).all():
         raise InputError(
-            f"{name_of(attribute.GetPrim())}: {attribute.GetName()} has a number that is "
-            "not finite"
+            f"{name_of(attribute.GetPrim())}: {attribute.GetName()} contains a number that "
+            "is not finite"
         )
     return array

@@ -1,4 +1,4 @@
-"""What usdchecker says of a file: usd-core comes without the program, but has its rules."""
+"""The checks of usdchecker: usd-core has its rules, but not the program."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from ._pxr import Usd, stage_of
 
 
 def complaints(source: str | os.PathLike[str] | Any) -> list[str]:
-    """Errors, failed checks and warnings of every validator that usd-core knows; none:
-    usdchecker passes."""
+    """Errors, failed checks and warnings of all validators of usd-core; empty if
+    usdchecker would pass."""
     stage = stage_of(source)
     try:
         from pxr import UsdValidation
-    except ImportError:  # before 25: the checks in Python
+    except ImportError:  # usd-core before 25
         return _by_compliance_checker(stage)
     registry = UsdValidation.ValidationRegistry()
     context = UsdValidation.ValidationContext(registry.GetOrLoadAllValidators())

@@ -1,4 +1,4 @@
-"""BasisCurves as strands, whatever their basis, wrap and widths."""
+"""Reads BasisCurves of any basis, wrap and width interpolation as strands."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ from ._pxr import (
 )
 
 _BASES = {"bspline": "bspline", "catmullRom": "catmull-rom", "bezier": "bezier"}
-_PINNED = ("bspline", "catmull-rom")  # of which the ends need points that are not there
-#: Places on a piece of curves that the library has no basis for.
+_PINNED = ("bspline", "catmull-rom")  # bases in which `pinned` implies extra end points
+#: Places per segment of curves in a basis that the library lacks.
 PLACES_PER_SEGMENT = 8
 
 
@@ -40,26 +40,27 @@ def read(
     wrap: Literal["nonperiodic", "pinned"] | None = None,
     purposes: Collection[str] = PURPOSES,
 ) -> Strands:
-    """The strands of every BasisCurves at or below `prim` (none: of the stage) that is
-    visible and of one of the `purposes`, in world space and the stage's units. `prim`
-    itself is read whatever it is.
+    """The strands of all BasisCurves at and below `prim` (None: in the stage) that are
+    visible and have one of the `purposes`, in world space and the stage's units. `prim`
+    itself is always read.
 
-    source: a file, or a Usd.Stage. time: none: of each prim the time of its points' first
-        sample, for all of it; where points have no samples, their default.
-    transform: False takes points as they stand, for files whose points are in world space
-        below a transform all the same, such as Blender 2.93's hair.
-    wrap: in place of the file's: "pinned" for files that do not say so but whose curves
-        are meant to begin at their first points, as Blender's again.
+    source: a file, or a Usd.Stage.
+    time: None: per prim, the time of the first sample of its points, for all attributes;
+        if the points have no samples, their default.
+    transform: False ignores transforms, for files whose points are in world space although
+        they are below a transform, such as the hair of Blender 2.93.
+    wrap: overrides the file's: "pinned" for files that leave it out but whose curves begin
+        at their first points, again such as Blender's.
 
-    `linear` and `bspline` curves keep their control points, with the points that
-    `pinned` only implies. `bezier` and `catmullRom` curves, which are no B-splines,
-    become places on the curve, 8 a piece, for a curve through them. Widths
-    (`primvars:widths`, else `widths`) come along at each point, `primvars:st` of the roots
-    as root_uv, `primvars:id` as ids; what only some of several prims have is left out,
-    with a warning to the logger "lancret".
+    `linear` and `bspline` curves keep their control points, and get the points that
+    `pinned` implies. `bezier` and `catmullRom` curves are sampled at 8 places per segment
+    and become Catmull-Rom curves through these. Widths (`primvars:widths`, else `widths`)
+    become one per point, `primvars:st` at the roots root_uv, `primvars:id` ids. Attributes
+    that only some of several prims have are left out, with a warning to the logger
+    "lancret".
 
-    Raises InputError: for `periodic` curves, which have no root; for counts that do not
-    fit; for linear and cubic curves together; for prims that a PointInstancer places.
+    Raises InputError for `periodic` curves, which have no root, for counts that do not
+    match, for linear and cubic curves together, for prims that a PointInstancer places.
     """
     stage = stage_of(source)
     prims = prims_of(stage, prim, UsdGeom.BasisCurves, time, purposes)
@@ -77,26 +78,27 @@ def read(
 
 @dataclasses.dataclass
 class _Form:
-    """What a prim says its points are."""
+    """The layout of a prim's curves."""
 
     name: str
     basis: str
     pinned: bool
-    counts: np.ndarray  # [curves] of control points as they stand in the file
+    counts: np.ndarray  # [curves] number of control points in the file
 
     @functools.cached_property
-    def pieces(self) -> np.ndarray:
-        """[curves]"""
+    def segments(self) -> np.ndarray:
+        """[curves] number of segments."""
         out = np.empty(len(self.counts), dtype=np.int64)
         for count, curves in cubic.groups(self.counts):
             implied = 2 if self.pinned and self.basis in _PINNED else 0
-            out[curves] = cubic.pieces_of(count + implied, self.basis)
+            out[curves] = cubic.segments_of(count + implied, self.basis)
         return out
 
     @property
     def stretched(self) -> int:
-        """What UsdGeomBasisCurves computes as the number of `varying` values of pinned
-        curves: as if they were not pinned. Files of either kind are about."""
+        """The number of `varying` values that UsdGeomBasisCurves computes for pinned
+        curves: as if they were not pinned. Both kinds of files exist. -1 if the curves
+        are not pinned."""
         if (
             not (self.pinned and self.basis in _PINNED)
             or self.counts.min(initial=4) < 4
@@ -108,38 +110,38 @@ class _Form:
         return {
             "constant": 1,
             "uniform": len(self.counts),
-            "varying": int((self.pieces + 1).sum()),
-            "faceVarying": int((self.pieces + 1).sum()),  # of curves the same
+            "varying": int((self.segments + 1).sum()),
+            "faceVarying": int((self.segments + 1).sum()),  # the same for curves
             "vertex": int(self.counts.sum()),
         }.get(interpolation, -1)
 
 
-def _form(curves: Any, time: Any, points: int, said_wrap: str | None) -> _Form:
+def _form(curves: Any, time: Any, points: int, wrap_override: str | None) -> _Form:
     name = name_of(curves.GetPrim())
-    wrap = said_wrap or str(curves.GetWrapAttr().Get())
+    wrap = wrap_override or str(curves.GetWrapAttr().Get())
     kind = str(curves.GetTypeAttr().Get())
     basis = (
         "linear" if kind == "linear" else _BASES.get(str(curves.GetBasisAttr().Get()))
     )
     if basis is None:
         raise InputError(
-            f"{name}: basis is {curves.GetBasisAttr().Get()}; one of {', '.join(_BASES)} "
-            "can be read"
+            f"{name}: basis is {curves.GetBasisAttr().Get()}; expected one of "
+            f"{', '.join(_BASES)}"
         )
     if wrap == "periodic":
         raise InputError(
-            f"{name}: wrap is periodic: a closed curve has no root to grow from; open it "
-            "(wrap nonperiodic or pinned)"
+            f"{name}: wrap is periodic, but a closed curve has no root; expected "
+            "nonperiodic or pinned"
         )
     counts = array_of(curves.GetCurveVertexCountsAttr(), time, (-1,), np.int64)
     if counts.size and (counts.min() < 2 or counts.sum() != points):
         raise InputError(
-            f"{name}: curveVertexCounts must be 2 or more each and make {points} points "
-            f"in all; the least is {counts.min()}, the sum {counts.sum()}"
+            f"{name}: curveVertexCounts must be 2 or more each and add up to {points} "
+            f"points; the minimum is {counts.min()}, the sum {counts.sum()}"
         )
     form = _Form(name, basis, wrap == "pinned", counts)
     try:
-        form.pieces
+        form.segments
     except InputError as fault:
         raise InputError(f"{name}: {fault}") from None
     return form
@@ -152,9 +154,7 @@ def _read_prim(prim: Any, time: Any, transform: bool, wrap: str | None) -> Stran
     matrix = matrix_of(prim, time) if transform else np.eye(4)
     points = to_world(points, matrix)
     widths = _widths(curves, form, time)
-    if (
-        widths is not None
-    ):  # a transform that scales unevenly has no one width: the mean
+    if widths is not None:  # the mean scale, as a non-uniform one has no single width
         widths = widths * abs(np.linalg.det(matrix[:3, :3])) ** (1 / 3)
         points = np.column_stack([points, widths])
     basis, counts = form.basis, form.counts
@@ -174,7 +174,7 @@ def _read_prim(prim: Any, time: Any, transform: bool, wrap: str | None) -> Stran
 
 
 def _widths(curves: Any, form: _Form, time: Any) -> np.ndarray | None:
-    """Widths at each control point; none where the prim has none."""
+    """Widths at the control points; None if the prim has none."""
     found = _primvar(curves.GetPrim(), ("widths",), time)
     if found is not None:
         widths, kind = np.array(found[0], dtype=np.float64), found[1]
@@ -185,20 +185,20 @@ def _widths(curves: Any, form: _Form, time: Any) -> np.ndarray | None:
         return None
     if not np.isfinite(widths).all():
         raise InputError(
-            f"{form.name}: primvars:widths has a number that is not finite"
+            f"{form.name}: primvars:widths contains a number that is not finite"
         )
     return _at_points(widths, kind, form, "widths")
 
 
 def _at_points(values: np.ndarray, kind: str, form: _Form, what: str) -> np.ndarray:
-    """Values of any interpolation as one a control point."""
+    """Converts values of any interpolation to one per control point."""
     if kind == "faceVarying":
         kind = "varying"
     stretched = kind == "varying" and len(values) == form.stretched
     if len(values) != form.elements(kind) and not stretched:
         raise InputError(
-            f"{form.name}: {what} are {kind}, and so should be {form.elements(kind)}; "
-            f"there are {len(values)}"
+            f"{form.name}: {what} are {kind}: expected {form.elements(kind)} values, found "
+            f"{len(values)}"
         )
     if kind == "constant":
         return np.repeat(values, int(form.counts.sum()), axis=0)
@@ -210,22 +210,22 @@ def _at_points(values: np.ndarray, kind: str, form: _Form, what: str) -> np.ndar
 
 
 def _varying_at_points(values: np.ndarray, form: _Form, stretched: bool) -> np.ndarray:
-    """Linear between the ends of pieces. A control point lies at the parameter that its
-    own weight is greatest at; the outer ones of a cubic that is not pinned lie beyond.
-    `stretched` values lie evenly along the curve."""
-    made = form.counts - 2 if stretched else form.pieces + 1
+    """Interpolates values at the ends of segments linearly. A control point is at the
+    parameter of its largest weight; the outer points of a cubic that is not pinned are
+    extrapolated. `stretched` values are evenly spaced along the curve."""
+    sizes = form.counts - 2 if stretched else form.segments + 1
     out = np.empty(int(form.counts.sum()))
-    starts, out_starts = (np.cumsum(n) - n for n in (made, form.counts))
+    starts, out_starts = (np.cumsum(n) - n for n in (sizes, form.counts))
     for count, curves in cubic.groups(form.counts):
-        some = int(made[curves[0]])
-        mine = values[starts[curves][:, None] + np.arange(some)]
-        at = np.arange(count, dtype=np.float64) / cubic.STEPS[form.basis]
+        size = int(sizes[curves[0]])
+        rows = values[starts[curves][:, None] + np.arange(size)]
+        t = np.arange(count, dtype=np.float64) / cubic.STEPS[form.basis]
         if stretched:
-            at *= (some - 1) / (count - 1)
+            t *= (size - 1) / (count - 1)
         elif form.basis in _PINNED and not form.pinned:
-            at -= 1
-        low = np.clip(np.floor(at).astype(int), 0, some - 2)
-        between = mine[:, low] + (at - low) * (mine[:, low + 1] - mine[:, low])
+            t -= 1
+        low = np.clip(np.floor(t).astype(int), 0, size - 2)
+        between = rows[:, low] + (t - low) * (rows[:, low + 1] - rows[:, low])
         out[out_starts[curves][:, None] + np.arange(count)] = between
     return out
 
@@ -241,7 +241,7 @@ def _primvar(prim: Any, names: tuple[str, ...], time: Any) -> tuple[Any, str] | 
 
 
 def _of_roots(found: tuple[Any, str] | None, form: _Form, dtype: Any) -> Any:
-    """A primvar's value at each root; none where its size fits nothing."""
+    """A primvar's value at each root; None if its size does not match."""
     if found is None:
         return None
     values, kind = np.array(found[0], dtype=dtype), found[1]
@@ -251,7 +251,7 @@ def _of_roots(found: tuple[Any, str] | None, form: _Form, dtype: Any) -> Any:
         return np.repeat(values, len(form.counts), axis=0)
     if kind == "uniform":
         return values
-    each = form.counts if kind == "vertex" else form.pieces + 1
+    each = form.counts if kind == "vertex" else form.segments + 1
     return values[np.cumsum(each) - each]
 
 
@@ -286,7 +286,7 @@ def _joined(named: dict[str, Strands]) -> Strands:
             return np.concatenate(arrays)
         if len(without) < len(arrays):
             logging.getLogger("lancret").warning(
-                "%s: has no %s, and so those of the other prims are left out",
+                "%s: has no %s; those of the other prims are ignored",
                 without[0],
                 name,
             )
@@ -303,7 +303,7 @@ def _joined(named: dict[str, Strands]) -> Strands:
 
 
 def _through_places(strands: Strands) -> Strands:
-    """B-splines as curves through places on them."""
+    """Converts B-splines to Catmull-Rom curves through places on them."""
     if strands.basis != "bspline":
         return strands
     values = strands.points

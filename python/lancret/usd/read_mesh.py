@@ -1,4 +1,4 @@
-"""A mesh that hair grows on."""
+"""Reads a mesh that hair grows on."""
 
 from __future__ import annotations
 
@@ -30,20 +30,22 @@ def read_mesh(
     *,
     purposes: Collection[str] = PURPOSES,
 ) -> Mesh:
-    """A mesh in world space and the stage's units, its faces cut into triangles from
-    their first corner, without its holes. A surface to be subdivided is taken as the cage
-    that it is.
+    """A mesh in world space and the stage's units. Faces become fans of triangles from
+    their first corner, holes are left out, and subdivision surfaces are read as their
+    control mesh.
 
-    prim: of the mesh, or above it; none: the only one of the stage that is visible and of
-    one of the `purposes`. time: as of `read`. uv: the primvar with texture coordinates;
-    none: `st`, else the first that has two numbers.
+    prim: the mesh or an ancestor; None: the only mesh of the stage that is visible and has
+        one of the `purposes`.
+    time: as in `read`.
+    uv: the primvar with texture coordinates; None: `st`, else the first with two
+        components.
     """
     stage = stage_of(source)
     found = prims_of(stage, prim, UsdGeom.Mesh, time, purposes)
     if len(found) > 1:
         paths = ", ".join(str(each.GetPath()) for each in found[:8])
         raise InputError(
-            f"{stage.GetRootLayer().identifier}: has {len(found)} meshes: say which by "
+            f"{stage.GetRootLayer().identifier}: has {len(found)} meshes; choose one with "
             f"`prim`: {paths}"
         )
     return _read_prim(found[0], moment(found[0], time), uv)
@@ -57,8 +59,8 @@ def _read_prim(prim: Any, time: Any, uv: str | None) -> Mesh:
     name = name_of(prim)
     if counts.size == 0 or counts.min() < 3 or counts.sum() != len(indices):
         raise InputError(
-            f"{name}: faceVertexCounts must be 3 or more each and make {len(indices)} "
-            "corners in all"
+            f"{name}: faceVertexCounts must be 3 or more each and add up to "
+            f"{len(indices)} corners"
         )
     if indices.min() < 0 or indices.max() >= len(points):
         raise InputError(
@@ -68,10 +70,9 @@ def _read_prim(prim: Any, time: Any, uv: str | None) -> Mesh:
     holes = array_of(mesh.GetHoleIndicesAttr(), time, (-1,), np.int64)
     kept = ~np.isin(np.arange(len(counts)), holes)
     corners = _fans(counts)[np.repeat(kept, counts - 2)]
-    left = str(mesh.GetOrientationAttr().Get()) == "leftHanded"
-    if left != (
-        np.linalg.det(matrix[:3, :3]) < 0
-    ):  # a mirror turns them over once more
+    left_handed = str(mesh.GetOrientationAttr().Get()) == "leftHanded"
+    mirrored = np.linalg.det(matrix[:3, :3]) < 0
+    if left_handed != mirrored:
         corners = corners[:, ::-1]
     uvs = _uvs(prim, time, uv, indices, len(points))
     return Mesh(
@@ -82,7 +83,7 @@ def _read_prim(prim: Any, time: Any, uv: str | None) -> Mesh:
 
 
 def _fans(counts: np.ndarray) -> np.ndarray:
-    """[triangles][3] places in the list of corners, each face from its first one."""
+    """[triangles][3] indices of corners; each face is a fan from its first corner."""
     starts = np.cumsum(counts) - counts
     triangles = counts - 2
     first = np.repeat(starts, triangles)
@@ -95,7 +96,7 @@ def _fans(counts: np.ndarray) -> np.ndarray:
 def _uvs(
     prim: Any, time: Any, uv: str | None, indices: np.ndarray, points: int
 ) -> np.ndarray | None:
-    """[corners][2]; none where there are none that fit."""
+    """[corners][2]; None if no primvar matches."""
     primvars = UsdGeom.PrimvarsAPI(prim)
     names = (
         [uv]
@@ -117,6 +118,6 @@ def _uvs(
             return of_corners
     if uv:
         raise InputError(
-            f"{name_of(prim)}: has no primvar {uv} of two numbers a corner"
+            f"{name_of(prim)}: has no primvar {uv} with two components per corner"
         )
     return None

@@ -1,4 +1,4 @@
-"""Strands as BasisCurves."""
+"""Writes strands as BasisCurves."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ _TYPES = {
 }
 _EXTENSIONS = (".usd", ".usda", ".usdc")
 _ATTRIBUTES = {"ids", "root_uv", "lengths", "random", "normals"}
-#: That are in memory at once.
-_MOST_TIMES = 64
+#: Maximum number of times in memory at once.
+_MAX_TIMES = 64
 
 
 def write(
@@ -42,23 +42,23 @@ def write(
     metres_per_unit: float | None = None,
     frames_per_second: float = 24,
 ) -> None:
-    """Grows a groom into a .usd, .usda or .usdc file, which appears when it is whole.
+    """Grows a groom into a .usd, .usda or .usdc file, which appears once it is complete.
 
-    The strands are BasisCurves below `prim`, in metres_per_unit (none: the groom's own)
-    and with the groom's up axis: all in one prim, or a prim a chunk, so that no more than
-    a chunk is in memory besides the stage. `times` become time samples; none: the first
-    frame, or rest. Attributes become primvars: ids `id`, root_uv `st`, lengths
-    `hairLength`, random `hairRandom`; normals the curves' own normals; others cannot be
-    written. Stages of this process that have the file open see the new one.
+    The strands are BasisCurves below `prim`, in metres_per_unit (None: the groom's unit)
+    and with the groom's up axis. They are in one prim, or in one per chunk; then only one
+    chunk at a time is in memory besides the stage. `times` become time samples; None: the
+    first frame, or rest. Attributes become primvars: ids `id`, root_uv `st`, lengths
+    `hairLength`, random `hairRandom`; normals become the curves' normals; others cannot be
+    written. Stages of this process that have the file open are reloaded.
     """
     target = Path(path)
     if target.suffix not in _EXTENSIONS:
-        raise InputError(f"{target}: is written as {', '.join(_EXTENSIONS)} only")
+        raise InputError(f"{target}: extension must be one of {', '.join(_EXTENSIONS)}")
     if basis not in _TYPES:
-        raise InputError(f"basis {basis!r}: USD's BasisCurves are {', '.join(_TYPES)}")
+        raise InputError(f"basis {basis!r}: USD supports {', '.join(_TYPES)}")
     valid = prim.startswith("/") and Sdf.Path.IsValidPathString(prim)[0]
     if not valid or not Sdf.Path(prim).IsRootPrimPath():
-        raise InputError(f"prim {prim!r}: must be at the root, such as /Hair")
+        raise InputError(f"prim {prim!r}: must be a root prim, such as /Hair")
     unknown = set(attributes) - _ATTRIBUTES
     if unknown:
         raise InputError(
@@ -67,16 +67,16 @@ def write(
         )
     moments = moments_of(times)
     if times is not None and not moments:
-        raise InputError("times: there are none; leave them out for the first frame")
+        raise InputError("times: must not be empty; omit it for the first frame")
     metres = metres_per_unit or groom.info.cm_per_unit / 100
-    asked: dict[str, Any] = {
+    options: dict[str, Any] = {
         "basis": basis,
         "density": density,
         "max_error": max_error,
         "attributes": attributes,
         "unit": 100 * metres,
     }
-    # A name that USD has never seen: it may hold on to the layer of one that failed.
+    # A unique name, because USD may keep the layer of an earlier attempt that failed.
     unfinished = target.with_name(f".{target.stem}.{uuid.uuid4().hex}{target.suffix}")
     try:
         stage = _new_stage(unfinished)
@@ -86,9 +86,9 @@ def write(
         chunks = [(f"chunk_{i:05}", [i]) for i in groom.chunks]
         for name, numbers in chunks if prim_per_chunk else [("strands", groom.chunks)]:
             place = f"{prim}/{name}"
-            for i in range(0, max(1, len(moments)), _MOST_TIMES):
-                batch = moments[i : i + _MOST_TIMES] or None
-                curves = groom.expand(numbers, batch, **asked)
+            for i in range(0, max(1, len(moments)), _MAX_TIMES):
+                batch = moments[i : i + _MAX_TIMES] or None
+                curves = groom.expand(numbers, batch, **options)
                 if len(curves) or not prim_per_chunk:
                     add_curves(stage, place, curves)
         stage.GetRootLayer().Save()
@@ -96,18 +96,18 @@ def write(
         os.replace(unfinished, target)
     finally:
         unfinished.unlink(missing_ok=True)
-    opened = Sdf.Layer.Find(str(target.resolve()))
-    if opened:
-        opened.Reload(force=True)
+    open_layer = Sdf.Layer.Find(str(target.resolve()))
+    if open_layer:
+        open_layer.Reload(force=True)
 
 
 def _new_stage(path: Path) -> Any:
-    if not path.parent.is_dir():  # USD would make it
+    if not path.parent.is_dir():  # USD would create it
         raise InputError(f"{path.parent}: no such folder")
     try:
         return Usd.Stage.CreateNew(str(path))
     except Tf.ErrorException:
-        raise InputError(f"{path.parent}: no file can be written there") from None
+        raise InputError(f"{path.parent}: folder is not writable") from None
 
 
 def _describe(
@@ -120,7 +120,7 @@ def _describe(
     ups = {(0.0, 1.0, 0.0): UsdGeom.Tokens.y, (0.0, 0.0, 1.0): UsdGeom.Tokens.z}
     up = tuple(float(value) for value in groom.info.up)
     if up not in ups:
-        raise InputError(f"scene.up: USD knows Y and Z alone; this groom has {up}")
+        raise InputError(f"scene.up: is {up}; USD supports only Y and Z")
     UsdGeom.SetStageUpAxis(stage, ups[up])
     UsdGeom.SetStageMetersPerUnit(stage, metres)
     if times:
@@ -131,41 +131,41 @@ def _describe(
 
 
 def add_curves(stage: Any, path: str, curves: Curves) -> Any:
-    """Puts curves at a path of a stage, in units of the stage: as they are, without a
-    transform. At times that curves were asked for they are time samples, and those that
-    are there stay; they must be of the same strands. Returns the UsdGeom.BasisCurves.
+    """Adds curves to a stage, in the stage's units, without a transform. Curves with
+    `times` become time samples, in addition to existing ones, which must be of the same
+    strands. Returns the UsdGeom.BasisCurves.
     """
     if curves.basis not in _TYPES:
-        raise InputError(f"{path}: USD's BasisCurves are {', '.join(_TYPES)}")
-    made = UsdGeom.BasisCurves.Define(stage, path)
+        raise InputError(f"{path}: basis {curves.basis!r}: USD supports {', '.join(_TYPES)}")
+    prim = UsdGeom.BasisCurves.Define(stage, path)
     kind, basis = _TYPES[curves.basis]
-    made.CreateTypeAttr(kind)
+    prim.CreateTypeAttr(kind)
     if basis:
-        made.CreateBasisAttr(basis)
-    made.CreateWrapAttr(UsdGeom.Tokens.nonperiodic)
-    made.SetWidthsInterpolation(UsdGeom.Tokens.vertex)
-    _set_counts(made, curves)
+        prim.CreateBasisAttr(basis)
+    prim.CreateWrapAttr(UsdGeom.Tokens.nonperiodic)
+    prim.SetWidthsInterpolation(UsdGeom.Tokens.vertex)
+    _set_counts(prim, curves)
     for i, time in enumerate(curves.times or (None,)):
-        _set_sample(made, curves, i, Usd.TimeCode(time) if curves.times else _default())
-    _set_primvars(made, curves)
-    return made
+        _set_sample(prim, curves, i, Usd.TimeCode(time) if curves.times else _default())
+    _set_primvars(prim, curves)
+    return prim
 
 
 def _default() -> Any:
     return Usd.TimeCode.Default()
 
 
-def _set_counts(made: Any, curves: Curves) -> None:
-    """Once for all times, as Lancret's strands have as many points at one as at others."""
-    attribute = made.CreateCurveVertexCountsAttr()
+def _set_counts(prim: Any, curves: Curves) -> None:
+    """Sets the counts, which are the same at all times."""
+    attribute = prim.CreateCurveVertexCountsAttr()
     counts = Vt.IntArray.FromNumpy(curves.counts.astype(np.int32))
     ids = _as_ints(curves.ids)
-    primvar = UsdGeom.PrimvarsAPI(made).GetPrimvar("id")
+    primvar = UsdGeom.PrimvarsAPI(prim).GetPrimvar("id")
     before = primvar.Get() if primvar else None
     if attribute.HasAuthoredValue() and (attribute.Get() != counts or before != ids):
         raise InputError(
-            f"{made.GetPath()}: has curves with other ids or numbers of points; add all "
-            "times of the same strands, or to another path"
+            f"{prim.GetPath()}: has curves with different ids or numbers of points; add "
+            "the same strands at all times, or use another path"
         )
     attribute.Set(counts)
 
@@ -174,22 +174,22 @@ def _as_ints(ids: Any) -> Any:
     return None if ids is None else Vt.IntArray.FromNumpy(ids.astype(np.int32))
 
 
-def _set_sample(made: Any, curves: Curves, index: int, time: Any) -> None:
+def _set_sample(prim: Any, curves: Curves, index: int, time: Any) -> None:
     points = np.ascontiguousarray(curves.positions[index, :, :3])
     widths = 2 * curves.positions[index, :, 3]
-    made.CreatePointsAttr().Set(Vt.Vec3fArray.FromNumpy(points), time)
-    made.CreateWidthsAttr().Set(Vt.FloatArray.FromNumpy(widths), time)
+    prim.CreatePointsAttr().Set(Vt.Vec3fArray.FromNumpy(points), time)
+    prim.CreateWidthsAttr().Set(Vt.FloatArray.FromNumpy(widths), time)
     if curves.normals is not None:
         normals = np.ascontiguousarray(curves.normals[index, :, :3])
-        made.CreateNormalsAttr().Set(Vt.Vec3fArray.FromNumpy(normals), time)
-        made.SetNormalsInterpolation(UsdGeom.Tokens.vertex)
+        prim.CreateNormalsAttr().Set(Vt.Vec3fArray.FromNumpy(normals), time)
+        prim.SetNormalsInterpolation(UsdGeom.Tokens.vertex)
     if len(points):
-        extent = UsdGeom.Boundable.ComputeExtentFromPlugins(made, time)
-        made.CreateExtentAttr().Set(extent, time)
+        extent = UsdGeom.Boundable.ComputeExtentFromPlugins(prim, time)
+        prim.CreateExtentAttr().Set(extent, time)
 
 
-def _set_primvars(made: Any, curves: Curves) -> None:
-    primvars = UsdGeom.PrimvarsAPI(made)
+def _set_primvars(prim: Any, curves: Curves) -> None:
+    primvars = UsdGeom.PrimvarsAPI(prim)
     types = Sdf.ValueTypeNames
 
     def add(name: str, kind: Any, values: Any) -> None:

@@ -1,4 +1,4 @@
-"""The examples of docs/python.md run as they stand."""
+"""The examples of docs/python.md run unchanged."""
 
 import contextlib
 import io
@@ -14,7 +14,7 @@ PAGE = ROOT / "docs" / "python.md"
 
 
 def examples():
-    """Each section's title and the Python in it."""
+    """Yields the title of each section and its Python code."""
     for section in re.split(r"^## ", PAGE.read_text(), flags=re.M)[1:]:
         code = re.findall(r"^```python\n(.*?)^```", section, flags=re.M | re.S)
         if code:
@@ -29,24 +29,24 @@ class Docs(WithFolder):
         os.chdir(folder)
         for title, code in examples():
             if any(title.startswith(start) for start in chosen):
-                with contextlib.redirect_stdout(io.StringIO()) as said:
+                with contextlib.redirect_stdout(io.StringIO()) as output:
                     exec(compile(code, f"{PAGE}: {title}", "exec"), names)  # noqa: S102
-                ran[title] = said.getvalue()
+                ran[title] = output.getvalue()
         self.assertEqual(len(ran), len(chosen), ran.keys())
         return names, ran
 
-    def test_those_of_grooms(self):
-        names, said = self.run_examples(ROOT, "Open", "Strands", "Many")
-        self.assertIn("Check(strands=5000, failed=0, outside=0", "".join(said.values()))
+    def test_grooms(self):
+        names, output = self.run_examples(ROOT, "Open", "Strands", "Several")
+        self.assertIn("Check(strands=5000, failed=0, outside=0", "".join(output.values()))
         self.assertIsInstance(names["hair"], lancret.Curves)
         self.assertEqual(len(names["guides"]), 10)
 
     @needs_plots
-    def test_those_of_notebooks(self):
+    def test_notebooks(self):
         self.run_examples(ROOT, "Open", "Pictures")
 
     @needs_usd
-    def test_those_of_usd(self):
+    def test_usd(self):
         from pxr import Usd, UsdGeom
 
         from lancret import usd
@@ -63,6 +63,6 @@ class Docs(WithFolder):
         plane.CreateFaceVertexCountsAttr([3, 3])
         plane.CreateFaceVertexIndicesAttr(mesh.corners.ravel().tolist())
         stage.Save()
-        _, said = self.run_examples(self.folder, "USD")
-        self.assertEqual(said["USD"], "[]\n")
+        _, output = self.run_examples(self.folder, "USD")
+        self.assertEqual(output["USD"], "[]\n")
         self.assertTrue(HAS_USD and len(usd.read(self.folder / "hair.usdc")) == 50_000)

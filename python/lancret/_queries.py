@@ -1,4 +1,4 @@
-"""What an open groom tells of itself, by its C handle."""
+"""Queries of an open groom, by its C handle."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def info_of(context: Context, groom: int) -> Info:
     values["box"] = tuple(struct.box[:3]), tuple(struct.box[3:])
     values["basis"] = _abi.BASIS_NAMES[struct.basis]
     values["shape"] = _abi.SHAPES[struct.shape]
-    values["cm_per_unit"] = float(str(np.float32(struct.cm_per_unit)))  # 0.1, not ..01
+    values["cm_per_unit"] = float(str(np.float32(struct.cm_per_unit)))  # 0.1, not 0.10000000149
     return Info(**values)
 
 
@@ -57,8 +57,8 @@ def description_of(context: Context, groom: int) -> dict[str, Any]:
 def head_of(context: Context, groom: int, time: float) -> Mesh:
     arrays: dict[str, Any] = {}
 
-    def take(_user: int | None, given: Any) -> int:
-        mesh = given.contents
+    def take(_user: int | None, pointer: Any) -> int:
+        mesh = pointer.contents
         arrays["positions"] = _copy(mesh.positions, mesh.vertices, 3)
         arrays["corners"] = _copy(mesh.corners, mesh.triangles, 3).astype(np.uint32)
         arrays["uvs"] = _copy(mesh.uvs, mesh.triangles, 3, 2) if mesh.uvs else None
@@ -70,7 +70,7 @@ def head_of(context: Context, groom: int, time: float) -> Mesh:
 
 
 def is_still(context: Context, groom: int, moments: tuple[float, ...]) -> bool:
-    still, at = c_int(), (c_double * len(moments))(*moments)
-    status = library().lancret_groom_is_still(groom, at, len(moments), byref(still))
+    still, times = c_int(), (c_double * len(moments))(*moments)
+    status = library().lancret_groom_is_still(groom, times, len(moments), byref(still))
     context.raise_for(status)
     return bool(still.value)
