@@ -23,7 +23,7 @@ void write(const RodPast& past, int segments, std::vector<double>& out) {
     out.push_back(past.size);
     out.push_back(past.eps);
     for (const RodPose& pose : past.poses) {
-        // Poses beyond the size are room that was never used, or is of no use.
+        // Poses beyond the size may hold old values, which must not reach the file.
         const bool used = &pose - past.poses < past.size;
         write(used ? pose.root.position : Vec3::Zero(), out);
         for (int c = 0; c < 3; ++c) {
@@ -36,7 +36,7 @@ void write(const RodPast& past, int segments, std::vector<double>& out) {
 }
 
 void write(const ContactAnchor& anchor, std::vector<double>& out) {
-    // An infinite distance is no number for a file; without a body it says nothing.
+    // Without a body the distance is infinite, which is not a number for a file.
     const SurfaceSample body = anchor.touches() ? anchor.body : SurfaceSample{0};
     for (const double x :
          {body.distance, double(body.collider), double(body.triangle), anchor.pressure}) {
@@ -47,21 +47,22 @@ void write(const ContactAnchor& anchor, std::vector<double>& out) {
 
 ArrayReader::ArrayReader(const RestartArrays& arrays, const char* name) {
     const auto found = arrays.find(name);
-    check(found != arrays.end(), "misses an array");
+    check(found != arrays.end(), "an array is missing");
     left_ = found->second;
 }
 
 double ArrayReader::number() {
-    check(!left_.empty(), "is too short");
+    check(!left_.empty(), "an array is too short");
     const double out = left_.front();
-    check(std::isfinite(out), "holds what is no number");
+    check(std::isfinite(out), "expected a finite number");
     left_ = left_.subspan(1);
     return out;
 }
 
 int ArrayReader::whole(int low, int high) {
     const double x = number();
-    check(x >= low && x <= high && x == std::floor(x), "holds a count that cannot be");
+    check(x >= low && x <= high && x == std::floor(x),
+          "expected a whole number within its range");
     return int(x);
 }
 
@@ -73,7 +74,7 @@ Vec3 ArrayReader::vector() {
 void read(ArrayReader& from, int segments, RodPast& past) {
     past.size = from.whole(0, RodPast::kMax);
     past.eps = from.number();
-    check(past.size == 0 || past.eps > 0, "holds a step that cannot be");
+    check(past.size == 0 || past.eps > 0, "the step of a past must be above 0");
     for (RodPose& pose : past.poses) {
         pose.root.position = from.vector();
         for (int c = 0; c < 3; ++c) pose.root.frame.col(c) = from.vector();

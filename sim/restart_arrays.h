@@ -1,6 +1,6 @@
 #pragma once
-// What a simulation writes to go on from a frame, and how it is read back: rows of
-// numbers that a cache keeps.
+// Serialisation of the state that a simulation needs to continue from a frame, as the
+// arrays of numbers that a cache stores.
 
 #include <span>
 #include <vector>
@@ -11,18 +11,21 @@
 namespace lancret {
 
 void write(const Vec3& v, std::vector<double>& out);
-/// The poses that are in use; zeros and identities in the place of the others.
+/// Writes all kMax poses; those beyond `past.size` as zeros and identities.
 void write(const RodPast& past, int segments, std::vector<double>& out);
 void write(const ContactAnchor& anchor, std::vector<double>& out);
 
-/// Reads one of the arrays from its begin. Everything throws std::invalid_argument where
-/// the array is missing or too short, and where a number cannot be what is asked for.
+/// Reads one of the arrays from its beginning. Every function throws
+/// std::invalid_argument if the array is missing or too short, or if a number is not of
+/// the requested kind.
 class ArrayReader {
   public:
     ArrayReader(const RestartArrays& arrays, const char* name);
     double number();
+    /// A whole number in [low, high].
     int whole(int low, int high);
     Vec3 vector();
+    /// Whether everything has been read.
     bool done() const { return left_.empty(); }
 
   private:
@@ -30,7 +33,7 @@ class ArrayReader {
 };
 
 void read(ArrayReader& from, int segments, RodPast& past);
-/// An anchor on one of `colliders`.
+/// Reads an anchor on one of `colliders`.
 void read(ArrayReader& from, const Colliders& colliders, ContactAnchor& anchor);
 
 }  // namespace lancret

@@ -46,7 +46,7 @@ std::size_t Simulation::guides_in_bodies() const {
 void Simulation::advance() {
     const double start = state_->frame;
     const int n = state_->settings.substeps;
-    // One number for all steps: by differences of frames they would not be quite equal.
+    // One value for all steps: differences of frames would not be exactly equal.
     const double eps = 1 / (state_->scene.frames_per_second * n);
     for (int k = 0; k < n; ++k) state_->substep(start + double(k + 1) / n, eps);
 }
@@ -91,7 +91,7 @@ void Simulation::resume(double frame, const Guides& guides, const RestartArrays&
     SimulationState& s = *state_;
     check(guides.size() == s.guides.size() && guides.segments == s.guides.segments &&
               guides.segment_lengths == s.guides.segment_lengths,
-          "resumes with the guides that it began with");
+          "resume: expected guides of the same count, segments and lengths");
     s.guides = guides;
     s.start_at(frame);
     ArrayReader natural(arrays, "natural"), rates(arrays, "rates"), past(arrays, "past"),
@@ -104,17 +104,17 @@ void Simulation::resume(double frame, const Guides& guides, const RestartArrays&
     for (ContactAnchor& a : s.anchors) read(anchors, s.scene.colliders, a);
     for (double& depth : s.allowed_depths) {
         depth = allowed.number();
-        check(depth >= 0, "resumes with depths of 0 or more");
+        check(depth >= 0, "resume: allowed depths must be at least 0");
     }
     for (const ArrayReader* reader :
          {&natural, &rates, &past, &halvings, &anchors, &allowed}) {
-        check(reader->done(), "resumes with arrays that are as long as its own");
+        check(reader->done(), "resume: an array is too long");
     }
 }
 
 std::vector<Guides> simulate(const Guides& rest, const SimulationSettings& settings,
                              SimulationScene scene, int first, int last) {
-    check(first <= last, "the last frame comes after the first");
+    check(first <= last, "the last frame must not be before the first");
     Simulation simulation(rest, settings, std::move(scene), first);
     std::vector<Guides> out{simulation.guides()};
     for (int frame = first; frame < last; ++frame) {

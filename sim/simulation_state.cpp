@@ -15,7 +15,7 @@ namespace lancret {
 
 namespace {
 
-/// The motion a share of the way from one to another, at constant velocity between.
+/// The motion at the fraction `share` of the way from a to b, at constant velocity.
 RootMotion between(const RootMotion& a, const RootMotion& b, double share) {
     if (share >= 1) return b;
     const Vec3 turn = rotation_log<double>(b.pose.frame * a.pose.frame.transpose());
@@ -35,41 +35,43 @@ void check(bool fine, const char* what) {
     if (!fine) throw std::invalid_argument(std::string("Simulation: ") + what);
 }
 
-/// Written so that what is not finite fails too.
+/// Written so that a number that is not finite fails too.
 bool within(double x, double low, double high = 1e15) { return x >= low && x <= high; }
 
 void check(const SimulationSettings& s) {
     check(within(s.gravity.cwiseAbs().maxCoeff(), 0) && s.gravity.allFinite(),
-          "gravity is finite");
-    check(within(s.drag, 0), "drag is 0 or more");
-    check(s.substeps >= 1 && s.substeps <= 1000, "1 to 1000 substeps");
-    check(s.max_halvings >= 0 && s.max_halvings <= 20, "0 to 20 halvings");
-    check(s.error_tolerance > 0, "an error tolerance above 0");
+          "gravity must be finite");
+    check(within(s.drag, 0), "drag must be at least 0");
+    check(s.substeps >= 1 && s.substeps <= 1000, "expected 1 to 1000 substeps");
+    check(s.max_halvings >= 0 && s.max_halvings <= 20, "expected 0 to 20 halvings");
+    check(s.error_tolerance > 0, "the error tolerance must be above 0");
     check(s.step.tolerance > 0 && s.step.max_iterations >= 1,
-          "a step iterates, to a tolerance above 0");
+          "expected a step tolerance above 0 and at least one iteration");
     const ContactSettings& c = s.contact;
-    check(c.stations >= 1 && c.stations <= kMaxGaussPoints, "1 to 32 stations");
+    check(c.stations >= 1 && c.stations <= kMaxGaussPoints, "expected 1 to 32 stations");
     check(within(c.stiffness, 1e-15) && within(c.regularization, 1e-15) &&
               within(c.friction, 0) && within(c.thickness, 0) && within(c.free_root, 0),
-          "contact is finite, its stiffness and regularisation above 0, the rest not "
-          "below");
+          "contact settings must be finite, stiffness and regularization above 0, the "
+          "others at least 0");
     const StrandContactSettings& h = s.strand_contact;
     for (const double x :
          {h.radius, h.stiffness, h.friction_across, h.friction_along, h.cohesion}) {
-        check(within(x, 0), "contact of strands is finite and not below 0");
+        check(within(x, 0), "strand contact settings must be finite and at least 0");
     }
 }
 
 void check(const Guides& rest) {
-    check(rest.size() > 0 && rest.segments > 0, "there are no guides");
+    check(rest.size() > 0 && rest.segments > 0,
+          "expected at least one guide with at least one segment");
     const std::size_t all = rest.size() * std::size_t(rest.segments);
     check(rest.root_frames.size() == rest.size() && rest.segment_lengths.size() == all &&
               rest.curvatures.size() == all,
-          "guides have a frame each, and lengths and curvatures for each segment");
+          "expected one frame per guide, and one length and curvature per segment");
     for (const double l : rest.segment_lengths) {
-        check(within(l, 1e-15), "segments are longer than 0");
+        check(within(l, 1e-15), "segment lengths must be above 0");
     }
-    for (const Vec3& k : rest.curvatures) check(k.allFinite(), "curvatures are finite");
+    for (const Vec3& k : rest.curvatures)
+        check(k.allFinite(), "curvatures must be finite");
 }
 
 }  // namespace
@@ -89,9 +91,9 @@ SimulationState::SimulationState(const Guides& rest, SimulationSettings s,
       }) {
     check(guides);
     check(settings);
-    check(scene.roots.size() == guides.size(), "as many roots as guides");
-    check(within(scene.frames_per_second, 1e-6), "frames_per_second is above 0");
-    check(within(std::abs(at_frame), 0, 1e9), "a frame within 1e9");
+    check(scene.roots.size() == guides.size(), "expected one root per guide");
+    check(within(scene.frames_per_second, 1e-6), "frames_per_second must be above 0");
+    check(within(std::abs(at_frame), 0, 1e9), "the frame must be within 1e9");
     rates.assign(guides.curvatures.size(), Vec3::Zero());
     pasts.resize(guides.size());
     halvings.assign(guides.size(), 0);

@@ -12,22 +12,25 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-/// What is drawn for a wave.
+/// The random numbers of a wave.
 enum Salt : std::uint64_t { kHeight, kAzimuth, kPolarisation, kPhase };
 
 void check(const WindSettings& s) {
     // Written so that a NaN fails.
     const auto within = [](double x, double low) { return x >= low && x <= 1e9; };
     if (!(s.mean.allFinite() && within(s.mean.cwiseAbs().maxCoeff(), 0))) {
-        throw std::invalid_argument("make_wind: the mean wind is within 1e9 cm/s");
+        throw std::invalid_argument("make_wind: the mean wind must be within 1e9 cm/s");
     }
     if (!within(s.turbulence, 0) || !within(s.length_scale, 1e-6) ||
         !within(s.time_scale, 1e-6)) {
-        throw std::invalid_argument("make_wind: turbulence is not below 0, scales above");
+        throw std::invalid_argument(
+            "make_wind: turbulence must be at least 0, scales at least 1e-6, all at most "
+            "1e9");
     }
     if (s.octaves < 1 || s.octaves > 10 || s.waves_per_octave < 1 ||
         s.waves_per_octave > 100) {
-        throw std::invalid_argument("make_wind: 1 to 10 octaves of 1 to 100 waves");
+        throw std::invalid_argument(
+            "make_wind: expected 1 to 10 octaves of 1 to 100 waves");
     }
 }
 

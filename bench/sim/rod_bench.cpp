@@ -1,5 +1,5 @@
-// Microseconds a guide-step against the number of segments: the linear solution alone,
-// by recursion and by the dense matrix, and whole steps with what they are made of.
+// Microseconds per step of one guide against the number of segments: only the linear
+// solution, by recursion and with the dense matrix, and whole steps of several kinds.
 
 #include <benchmark/benchmark.h>
 
@@ -12,7 +12,7 @@
 namespace lancret {
 namespace {
 
-/// A curled hair of 1.5 cm a segment that moves, in hair's units.
+/// A curled hair with 1.5 cm per segment, in the units of hair.
 TestRod curled_hair(int segments) {
     std::mt19937_64 random(1);
     TestRod rod = random_rod(segments, 0.7, random);
@@ -69,7 +69,7 @@ BENCHMARK_CAPTURE(linear, dense_cholesky, LinearSolver::cholesky)
     ->ArgsProduct({{1, 2, 5, 8, 10, 15, 20, 50, 100, 200}})
     ->Unit(benchmark::kMicrosecond);
 
-/// Whole steps of 1/96 s: of a hair that swings, so that it never comes to rest.
+/// Whole steps of 1/96 s of a swinging hair, restarted before it comes to rest.
 void step(benchmark::State& state, Integrator integrator, bool velocity_terms,
           bool contact) {
     const TestRod begin = curled_hair(int(state.range(0)));
@@ -83,7 +83,7 @@ void step(benchmark::State& state, Integrator integrator, bool velocity_terms,
     RodStepper stepper;
     RodPast past;
 
-    // A ball that holds the middle of the strand from below.
+    // A ball that supports the middle of the strand from below.
     Colliders colliders;
     const double length = rod.length();
     colliders.add(Capsule{Vec3::Zero(), Vec3::Zero(), length / 4},

@@ -1,5 +1,5 @@
-// Guides in real time: a head of 400 made guides that shakes, at 24 frames a second with
-// 4 substeps a frame.
+// Guides in real time: a shaking head with 400 made guides, at 24 frames per second and
+// 4 substeps per frame.
 
 #include <benchmark/benchmark.h>
 

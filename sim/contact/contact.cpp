@@ -9,10 +9,9 @@ namespace lancret {
 
 namespace {
 
-/// The pull of a spring to an anchor, held by Coulomb's friction: Huber's function of the
-/// slide.
+/// The spring to an anchor, limited by Coulomb friction: the Huber function of the slide.
 struct Friction {
-    double energy = 0, stiffness = 0;  ///< stiffness: force over slide
+    double energy = 0, stiffness = 0;  ///< stiffness: force / slide
     bool slips = false;
 };
 
@@ -48,8 +47,9 @@ void RodContact::begin(const Strand& strand, double eps, double share) {
     strand_ = strand;
     eps_ = share * eps;
     share_ = share;
-    // Not for times between. Where the distance may jump, as round the borders of an open
-    // mesh, no longer than for this step, so that what happens never hangs on the past.
+    // Clearances hold only for the bodies' current pose. If distances can jump, as around
+    // the borders of an open mesh, they are dropped at each step, so that results never
+    // depend on the history.
     remembers_ = share == 1;
     const bool lent = !strand.clearances.empty();
     own_clearances_.assign(lent ? 0 : strand.anchors.size(), {});
@@ -62,15 +62,15 @@ SurfaceSample RodContact::sample(std::size_t station, const Vec3& position) {
     const double reach = contact_reach(settings_);
     if (!remembers_) return colliders_.nearest(position, reach, share_);
     Clearance& clear = strand_.clearances[station];
-    const Vec3 seen = inverse_image(reference_, position);
+    const Vec3 local = inverse_image(reference_, position);
     if (clear.distance > 0 &&
-        (seen - clear.position).squaredNorm() < clear.distance * clear.distance) {
+        (local - clear.position).squaredNorm() < clear.distance * clear.distance) {
         return {};
     }
-    const SurfaceSample found = colliders_.nearest(position, reach);
-    // A little less, so that round-off never hides a touch.
-    clear = {seen, std::min(found.distance, reach) - settings_.thickness - 1e-9};
-    return found;
+    const SurfaceSample nearest = colliders_.nearest(position, reach);
+    // Slightly less, so that round-off never hides a contact.
+    clear = {local, std::min(nearest.distance, reach) - settings_.thickness - 1e-9};
+    return nearest;
 }
 
 double RodContact::allowance(std::size_t station, const SurfaceSample& body) const {
@@ -88,15 +88,15 @@ double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& poin
             point.position - (other.position - (1 - share_) * other.displacement);
         const double distance = away.norm(), w = weight * other.share;
         const double reach = 2 * strands_.radius;
-        if (distance < 1e-9) continue;  // no direction to part in
+        if (distance < 1e-9) continue;  // no direction to push in
         const Vec3 normal = away / distance;
         const Penalty push = penalty(reach - distance, strands_.stiffness, reach / 4);
         Vec3 force = w * push.force * normal;
         Mat3 stiffness = w * push.stiffness * normal * normal.transpose();
         energy += w * push.energy;
         if (strands_.cohesion > 0 && distance > reach && distance < 2 * reach) {
-            // A well between one and two reaches: half a period of a cosine, so that the
-            // pull is continuous; its curvature is left out where it is negative.
+            // A well between one and two reaches: one period of a cosine, so that the
+            // pull is continuous. Negative curvature is left out of the stiffness.
             const double x = (distance - reach) / reach, turn = 2 * M_PI * x;
             const double depth = strands_.cohesion * reach / (2 * M_PI);
             energy += w * depth * (x * 2 * M_PI - std::sin(turn)) / (2 * M_PI);
@@ -107,11 +107,11 @@ double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& poin
         } else if (strands_.cohesion > 0 && distance >= 2 * reach) {
             energy += w * strands_.cohesion * reach / (2 * M_PI);  // out of the well
         }
-        // Viscous friction against the other strand's own motion, fading with their
-        // distance at the step's begin: within the step it is a constant of the energy.
-        const double begun =
+        // Viscous friction relative to the other strand's motion. It fades with the
+        // distance at the start of the step, so that it is constant within the step.
+        const double start_distance =
             (strand_.positions[station] - (other.position - other.displacement)).norm();
-        const double near = std::clamp(2 - begun / reach, 0., 1.);
+        const double near = std::clamp(2 - start_distance / reach, 0., 1.);
         const Vec3 t = other.tangent;
         const Mat3 drag =
             near * w / eps_ *
@@ -165,7 +165,7 @@ double RodContact::add_to(RodSystem& system, double scale) {
                 force -= weight * held.stiffness * slide;
                 Mat3 across = Mat3::Identity() - n * n.transpose();
                 if (held.slips) {
-                    // The pull of a station that slips only turns as it goes on.
+                    // The pull on a slipping station can only change its direction.
                     across -= slide * slide.transpose() / slide.squaredNorm();
                 }
                 stiffness += weight * held.stiffness * across;
@@ -204,13 +204,14 @@ double RodContact::end(const RodSystem& system) {
             }
             const Vec3 away = position - anchor.position;
             const Vec3 slide = away - body.normal * body.normal.dot(away);
-            const double most = settings_.friction * pressure / settings_.stiffness;
+            const double max_slide = settings_.friction * pressure / settings_.stiffness;
             const double length_of_slide = slide.norm();
-            // The anchor lies beside the station, on its level, no further than friction
-            // holds.
+            // The anchor lies at the depth of the station, no further away than friction
+            // can hold.
             anchor.position =
-                position -
-                (length_of_slide > most ? Vec3(slide * (most / length_of_slide)) : slide);
+                position - (length_of_slide > max_slide
+                                ? Vec3(slide * (max_slide / length_of_slide))
+                                : slide);
             anchor.body = body;
             anchor.pressure = pressure;
         }

@@ -53,15 +53,15 @@ void StrandNeighbours::find(const Guides& guides, std::span<const RodPast> pasts
                                  (eps / pasts[g].eps);
                          });
     });
-    // Twice the reach, so that cohesion and friction fade within it.
+    // Twice the reach, so that cohesion and friction fade out within it.
     grid_.find(positions_, strands_, 4 * radius);
     tbb::parallel_for(std::size_t(0), all, [&](std::size_t station) {
         const auto found = grid_.neighbours(station);
         counts_[station] = std::uint8_t(found.size());
         for (std::size_t i = 0; i < found.size(); ++i) {
             const std::size_t other = found[i].point;
-            // Each of a pair sees the other where it would go by itself, so each takes
-            // half of what parts them.
+            // Each strand of a pair sees the extrapolated position of the other, so each
+            // takes half of the energy between them.
             near_[station * RodContact::kMaxNear + i] = {
                 positions_[other] + moves_[other], moves_[other], tangents_[other], 0.5};
         }

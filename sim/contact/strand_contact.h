@@ -1,5 +1,5 @@
 #pragma once
-// Where the strands' stations are, and which stations of other strands are near.
+// The stations of all strands and the nearby stations of other strands.
 
 #include <vector>
 
@@ -9,15 +9,15 @@
 
 namespace lancret {
 
-/// Finds, at the begin of a step, what each station has beside it at its end.
+/// Finds, at the start of a step, the neighbours of each station at its end.
 class StrandNeighbours {
   public:
-    /// `pasts` ([guides]) tell the strands' velocities; `eps` is the step to come, s.
-    /// Allocates nothing once it has seen the same guides.
+    /// `pasts` ([guides]) give the strands' velocities; `eps` is the duration of the
+    /// step, s. Does not allocate once it has seen the same guides.
     void find(const Guides& guides, std::span<const RodPast> pasts, double radius,
               int stations, double eps);
 
-    /// Of guide g, as RodContact::Strand wants them.
+    /// The arrays of RodContact::Strand for guide g.
     std::span<const Vec3> positions(std::size_t g) const { return of(positions_, g, 1); }
     std::span<const StrandNear> near(std::size_t g) const {
         return of(near_, g, RodContact::kMaxNear);

@@ -18,19 +18,19 @@ namespace {
 constexpr std::size_t kMaxPoints = std::size_t(1) << 30;
 constexpr std::size_t kChunk = 1024;
 
-/// A cell is a little wider than the radius, in radii: the number of a place's cell is
-/// off by 1.2e-6 at most where it is up to 1e10, so places within a radius are in cells
-/// that touch.
+/// Width of a cell in radii. It is slightly above 1 because the cell coordinate of a
+/// position, up to 1e10, has an error of at most 1.2e-6: positions within a radius of
+/// each other are then always in adjacent cells.
 constexpr double kMaxRadii = 1e10, kCellWidth = 1 + 1e-5;
 
-/// The cell of a place: whole numbers, as doubles, for a place may be any number of cells
-/// away.
+/// The cell of a position: whole numbers as doubles, since they may exceed the range of
+/// int.
 Vec3 cell_of(const Vec3& position, double cell) {
     return (position / cell).array().floor().matrix();
 }
 
-/// The hash of a cell. Cells may share one: a search then sees points that are too far,
-/// or some twice, and neither changes what it finds.
+/// The hash of a cell. Cells may share a hash; a search then sees points that are too far
+/// away, or some points twice, and neither changes the result.
 std::uint64_t cell_hash(const Vec3& cell) {
     // + 0.0: -0 becomes 0.
     return hash_bits(std::bit_cast<std::uint64_t>(cell.x() + 0.0),
@@ -44,17 +44,17 @@ void StrandGrid::find(std::span<const Vec3> points,
                       std::span<const std::uint32_t> strands, double radius) {
     if (points.size() != strands.size() || points.size() > kMaxPoints) {
         throw std::invalid_argument(
-            "StrandGrid: a strand for each of at most 2^30 points");
+            "StrandGrid: expected one strand per point and at most 2^30 points");
     }
     if (!(radius > 0 && std::isfinite(radius))) {
-        throw std::invalid_argument("StrandGrid: the radius is above 0");
+        throw std::invalid_argument("StrandGrid: the radius must be above 0");
     }
     // Written so that a NaN fails.
     if (!std::ranges::all_of(points, [&](const Vec3& p) {
             return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxRadii * radius;
         })) {
         throw std::invalid_argument(
-            "StrandGrid: a point is within 1e10 radii of the origin");
+            "StrandGrid: points must be within 1e10 radii of the origin");
     }
     sort_into_buckets(points, strands, kCellWidth * radius);
     neighbours_.resize(kMax * points.size());
@@ -79,8 +79,8 @@ void StrandGrid::sort_into_buckets(std::span<const Vec3> points,
                                   cell_hash(cell_of(points[i], cell)) & (buckets - 1));
                           }
                       });
-    // A counting sort: counts, where each bucket ends, then each point before that, from
-    // the last on, which leaves where each begins.
+    // A counting sort: counts become the end of each bucket; inserting the points in
+    // reverse order then moves it to the begin of the bucket.
     begins_.assign(buckets + 1, 0);
     for (const std::uint32_t key : keys_) ++begins_[key];
     std::uint32_t sum = 0;
@@ -94,34 +94,35 @@ void StrandGrid::sort_into_buckets(std::span<const Vec3> points,
 
 std::uint32_t StrandGrid::search(const Vec3& position, std::uint32_t strand,
                                  double radius, StrandNeighbour* out) const {
-    // The nearest points so far, each of its own strand, by square of distance and index.
-    struct Found {
+    // The nearest points so far, at most one per strand, ordered by squared distance and
+    // index.
+    struct Candidate {
         double distance2;
         std::uint32_t point, strand;
 
-        bool operator<(const Found& other) const {
+        bool operator<(const Candidate& other) const {
             return distance2 != other.distance2 ? distance2 < other.distance2
                                                 : point < other.point;
         }
     };
-    std::array<Found, kMax> best{};
+    std::array<Candidate, kMax> best{};
     int count = 0;
-    const auto offer = [&](const Found& found) {
-        // Where it goes, unless its strand is there already and nearer.
-        int at = 0;
-        while (at < count && best[at] < found) {
-            if (best[at].strand == found.strand) return;
-            ++at;
+    const auto offer = [&](const Candidate& candidate) {
+        // Its rank, unless a nearer point of its strand is in the list.
+        int rank = 0;
+        while (rank < count && best[rank] < candidate) {
+            if (best[rank].strand == candidate.strand) return;
+            ++rank;
         }
-        if (at == kMax) return;
-        // What it pushes out: its own strand's further point, else the furthest of all.
-        int gone = at;
-        while (gone < count && best[gone].strand != found.strand) ++gone;
-        if (gone == count && count < kMax) ++count;
-        gone = std::min(gone, kMax - 1);
-        std::copy_backward(best.begin() + at, best.begin() + gone,
-                           best.begin() + gone + 1);
-        best[at] = found;
+        if (rank == kMax) return;
+        // It replaces the further point of its strand, or else the furthest of all.
+        int replaced = rank;
+        while (replaced < count && best[replaced].strand != candidate.strand) ++replaced;
+        if (replaced == count && count < kMax) ++count;
+        replaced = std::min(replaced, kMax - 1);
+        std::copy_backward(best.begin() + rank, best.begin() + replaced,
+                           best.begin() + replaced + 1);
+        best[rank] = candidate;
     };
 
     const Vec3 home = cell_of(position, cell_);

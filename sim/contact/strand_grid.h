@@ -1,5 +1,5 @@
 #pragma once
-// Which points of other strands are near.
+// A search for nearby points of other strands.
 
 #include <cstdint>
 #include <span>
@@ -15,26 +15,26 @@ struct StrandNeighbour {
     double distance = 0;      ///< cm
 };
 
-/// Finds, for each of many points on strands, the nearest point of each other strand: by
-/// a hash grid of cells as wide as the radius. Work is in proportion to the points and to
-/// how many of them are within two radii of one; buffers stay for the next call, which
-/// allocates nothing where there are no more points than before.
+/// Finds, for each of many points on strands, the nearest point of each other strand, in
+/// a hash grid of cells as wide as the radius. Time is proportional to the number of
+/// points times the number of points within two radii of one. Buffers are kept for the
+/// next call, which does not allocate unless there are more points than before.
 class StrandGrid {
   public:
-    /// Neighbours that a point has at most: of more strands the nearest are kept.
+    /// Maximum number of neighbours per point; the nearest are kept.
     static constexpr int kMax = 4;
 
-    /// Finds all neighbours. `strands` says which strand each point is of (any numbers),
-    /// and neighbours are within `radius` (cm, > 0) inclusive. Of points at equal
-    /// distances the one of the lower index comes first, so the result is the same for
-    /// any number of threads. Throws std::invalid_argument where the two spans differ in
-    /// size or there are more than 2^30 points, the radius is not above 0, or a point is
-    /// not finite.
+    /// Finds all neighbours. `strands` is the strand of each point (any numbers).
+    /// Neighbours are within `radius` (cm, > 0), inclusive. Of points at equal distances
+    /// the one with the lower index comes first, so the result is the same for any number
+    /// of threads. Throws std::invalid_argument if the two spans differ in size, there
+    /// are more than 2^30 points, the radius is not above 0, or a point is not finite or
+    /// further than 1e10 radii from the origin.
     void find(std::span<const Vec3> points, std::span<const std::uint32_t> strands,
               double radius);
 
-    /// Of `point`, the nearest first, each of a strand of its own. Valid until the next
-    /// find.
+    /// The neighbours of `point`, nearest first, each of a different strand. Valid until
+    /// the next find().
     std::span<const StrandNeighbour> neighbours(std::size_t point) const {
         return {&neighbours_[kMax * point], counts_[point]};
     }
@@ -49,9 +49,9 @@ class StrandGrid {
     std::uint32_t search(const Vec3& position, std::uint32_t strand, double radius,
                          StrandNeighbour* out) const;
 
-    double cell_ = 0;                          ///< cm, how wide a cell is
-    std::vector<std::uint32_t> keys_;          ///< [points], the bucket of each
-    std::vector<std::uint32_t> begins_;        ///< [buckets + 1], of each in entries_
+    double cell_ = 0;                          ///< cm, width of a cell
+    std::vector<std::uint32_t> keys_;          ///< [points], their buckets
+    std::vector<std::uint32_t> begins_;        ///< [buckets + 1], offsets in entries_
     std::vector<Entry> entries_;               ///< [points], by bucket
     std::vector<StrandNeighbour> neighbours_;  ///< [points * kMax]
     std::vector<std::uint8_t> counts_;         ///< [points]

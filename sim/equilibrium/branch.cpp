@@ -37,7 +37,7 @@ double RodBranch::smallest_eigenvalue() const {
     return Solver(scaled, Eigen::EigenvaluesOnly).eigenvalues()(0);
 }
 
-/// The root mean square of a change of curvature over the length, times the length.
+/// Root mean square of a change of curvature over the rod, times the rod's length.
 double RodBranch::size(const Eigen::VectorXd& change) const {
     return std::sqrt(change.cwiseAbs2().dot(spread_));
 }
@@ -73,7 +73,7 @@ bool RodBranch::step_to(double weight) {
     const Eigen::VectorXd before = q_;
     const double weight_before = weight_;
     const double reach = 0.3 + 0.1 * size(before);
-    // Newton's method is sure of itself while each correction is much less than the last.
+    // Newton's method is reliable while each correction is much smaller than the last.
     const double converged = 1e-9 * (1 + size(before));
 
     Eigen::VectorXd q = q_ - (weight - weight_) * solve(gravity_.gradient);

@@ -5,38 +5,39 @@
 
 namespace lancret {
 
-/// rho S |g| L^3 / EI with the smaller bending stiffness: weight against stiffness.
+/// rho S |g| L^3 / EI with the smaller bending stiffness: the ratio of weight to
+/// stiffness.
 double weight_number(const HangingRod& rod);
 
-/// D^(-1/2) H D^(-1/2) with D = stiffness_diagonal: dimensionless, I without weight. Its
-/// eigenvalues are those of D^-1 H.
+/// D^(-1/2) H D^(-1/2) with D = stiffness_diagonal: dimensionless, I without weight. It
+/// has the eigenvalues of D^-1 H.
 Eigen::MatrixXd scaled_hessian(const HangingRod& rod, const Eigen::MatrixXd& hessian);
 
-/// Below this an eigenvalue of scaled_hessian counts as zero: round-off is 1e-16 of the
-/// largest ones, which grow like the weight number.
+/// The threshold below which an eigenvalue of scaled_hessian counts as zero: round-off is
+/// 1e-16 of the largest eigenvalues, which are proportional to the weight number.
 double neutral_eigenvalue(const HangingRod& rod);
 
-/// An equilibrium under rod.gravity times a factor, `weight`, that starts at 0 in the
-/// natural shape. Steps follow the branch by a tangent and Newton's method on the exact
-/// Hessian, so they do not care whether it is stable.
+/// An equilibrium under `weight` times rod.gravity, starting at weight 0 in the natural
+/// shape. Steps follow the branch by its tangent and Newton's method with the exact
+/// Hessian, whether or not it is stable.
 class RodBranch {
   public:
-    /// Throws std::invalid_argument as check_rod does.
+    /// Throws as check_rod does.
     explicit RodBranch(const HangingRod& rod);
 
     double weight() const { return weight_; }
     const Eigen::VectorXd& q() const { return q_; }
-    /// Of the energy, at this weight.
+    /// Hessian of the energy at the current weight.
     const Eigen::MatrixXd& hessian() const { return hessian_; }
     bool hessian_is_positive() const { return positive_; }
     double smallest_eigenvalue() const;
 
-    /// Goes on to `weight`; false, and nothing is moved, where Newton's method from the
-    /// tangent does not converge surely: a step too long for this branch, or its end.
+    /// Moves to `weight`. Returns false and changes nothing if Newton's method from the
+    /// tangent does not converge reliably: the step is too long, or the branch ends.
     bool step_to(double weight);
-    /// Newton iterations of the last step.
+    /// Number of Newton iterations of the last step.
     int iterations() const { return iterations_; }
-    /// Moves to an equilibrium found otherwise.
+    /// Moves to an equilibrium that was found by other means.
     void restart(double weight, const Eigen::VectorXd& q);
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-// The shape in which a rod hangs.
+// The equilibrium shape of a hanging rod.
 
 #include "sim/rod/energy.h"
 
@@ -9,22 +9,22 @@ struct RodEquilibrium {
     Eigen::VectorXd q;               ///< [3 segments], 1/cm
     HangingEnergy energy;            ///< erg
     double smallest_eigenvalue = 1;  ///< of D^-1 H, D = K l: 1 without weight
-    int snaps = 0;                   ///< how often the branch ended on the way
-    bool left_branch = false;        ///< it does not continue the natural shape
+    int snaps = 0;                   ///< number of folds at which the shape jumped
+    bool left_branch = false;        ///< not the continuation of the natural shape
     bool converged = false;
-    bool stable = false;  ///< converged, and a minimum but for neutral directions
+    bool stable = false;  ///< converged, and a minimum except for neutral directions
 };
 
 enum class Branch {
-    leave,  ///< where it is no minimum
-    keep,   ///< stable or not
+    leave,  ///< if it is not a minimum
+    keep,   ///< whether or not it is stable
 };
 
-/// The equilibrium reached as the weight grows from none, and where that is no minimum of
-/// the energy, the minimum reached by leaving it (rod_minimum says which way). Where the
-/// branch ends in a fold on the way, the rod goes downhill to another, in its plane if it
-/// has one. Throws std::invalid_argument as check_rod does; ends always, and where it
-/// ends without an answer, not `converged`.
+/// The equilibrium reached as the weight grows from 0. With Branch::leave, if that is not
+/// a minimum of the energy, the minimum reached by leaving it (in the direction of
+/// rod_minimum). If the branch ends in a fold, the rod descends to another branch, within
+/// its plane of symmetry if it has one. Throws as check_rod does. Always terminates; if
+/// it finds no answer, `converged` is false.
 RodEquilibrium rod_equilibrium(const HangingRod& rod, Branch branch = Branch::leave);
 
 }  // namespace lancret

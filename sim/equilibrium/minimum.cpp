@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMaxIterations = 2000, kMaxEscapes = 50;
 
-/// The search, in x = D^(1/2) q: the elastic Hessian is I there.
+/// The search, in x = D^(1/2) q, in which the elastic Hessian is I.
 class Search {
   public:
     Search(const HangingRod& rod, const Eigen::VectorXd& start)
@@ -24,8 +24,8 @@ class Search {
         evaluate();
     }
 
-    /// True when stationary.
-    bool go_down(int& iterations) {
+    /// Descends; true if it ends at a stationary point.
+    bool descend(int& iterations) {
         const double small = unit_ * (1e-11 + 1e-15 * weight_);
         for (; iterations < kMaxIterations; ++iterations) {
             if (gradient_.norm() < small) return true;
@@ -34,15 +34,16 @@ class Search {
         return false;
     }
 
-    /// The eigenvalues of the scaled Hessian, smallest first, and its eigenvectors.
+    /// Eigenvalues, in ascending order, and eigenvectors of the scaled Hessian.
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum() const {
         return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(hessian_);
     }
 
-    /// Leaves a stationary point along a direction of negative curvature `lambda`.
+    /// Leaves a stationary point along a unit vector of negative curvature `lambda`;
+    /// false if the energy does not decrease.
     bool leave(const Eigen::VectorXd& direction, double lambda) {
         for (double t = unit_; t > 1e-9 * unit_; t /= 2) {
-            // Half of the decrease that the parabola promises.
+            // Half of the decrease that the quadratic model predicts.
             if (try_step(t * direction, lambda * t * t / 4)) return true;
         }
         return false;
@@ -62,11 +63,12 @@ class Search {
         hessian_.diagonal().array() += 1;
     }
 
-    bool try_step(const Eigen::VectorXd& step, double promised) {
+    /// Takes the step if the energy changes by less than `predicted`, up to round-off.
+    bool try_step(const Eigen::VectorXd& step, double predicted) {
         const Eigen::VectorXd q = q_ + scale_.cwiseProduct(step);
-        // Round-off of the energy, whose parts are of the size of weight and bending.
+        // Round-off of the energy, whose terms are of the size of weight and bending.
         const double noise = 1e-14 * unit_ * unit_ * (1 + weight_);
-        if (!(rod_energy(rod_, q).total() < energy_ + promised + noise)) return false;
+        if (!(rod_energy(rod_, q).total() < energy_ + predicted + noise)) return false;
         q_ = q;
         evaluate();
         return true;
@@ -75,9 +77,9 @@ class Search {
     Eigen::VectorXd direction() const {
         const Eigen::LLT<Eigen::MatrixXd> factor(hessian_);
         if (factor.info() == Eigen::Success) return -factor.solve(gradient_);
-        // Where there is negative curvature, uphill is downhill: the eigenvalues without
-        // their signs. A gradient that has nothing but round-off along such a direction,
-        // as on a plane of symmetry, is none.
+        // Negative curvature: uses the absolute values of the eigenvalues, so that the
+        // step still descends. A gradient that is only round-off along such a direction,
+        // as on a plane of symmetry, counts as zero.
         const auto spectrum = this->spectrum();
         const Eigen::VectorXd& rates = spectrum.eigenvalues();
         Eigen::VectorXd parts = spectrum.eigenvectors().transpose() * gradient_;
@@ -107,10 +109,11 @@ class Search {
     double energy_ = 0, unit_ = 1, weight_ = 0;
 };
 
-/// Of the eigenvectors that share the smallest eigenvalue, the combination that bends the
-/// stated way.
-Eigen::VectorXd way_out(const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& spectrum,
-                        const Eigen::VectorXd& scale) {
+/// The direction in which to leave a saddle: of the eigenvectors that share the smallest
+/// eigenvalue, the combination described at rod_minimum.
+Eigen::VectorXd escape_direction(
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& spectrum,
+    const Eigen::VectorXd& scale) {
     const Eigen::VectorXd& values = spectrum.eigenvalues();
     Eigen::Index shared = 1;
     while (shared < values.size() && values(shared) < values(0) + 1e-6 * -values(0)) {
@@ -134,7 +137,7 @@ RodMinimum rod_minimum(const HangingRod& rod, const Eigen::VectorXd& start,
     Search search(rod, start);
     RodMinimum out;
     for (int iterations = 0;;) {
-        out.converged = search.go_down(iterations);
+        out.converged = search.descend(iterations);
         const auto spectrum = search.spectrum();
         out.smallest_eigenvalue = spectrum.eigenvalues()(0);
         if (!out.converged || saddles == Saddles::keep ||
@@ -142,7 +145,8 @@ RodMinimum rod_minimum(const HangingRod& rod, const Eigen::VectorXd& start,
             break;
         }
         if (out.escapes == kMaxEscapes ||
-            !search.leave(way_out(spectrum, search.scale()), out.smallest_eigenvalue)) {
+            !search.leave(escape_direction(spectrum, search.scale()),
+                          out.smallest_eigenvalue)) {
             out.converged = false;
             break;
         }

@@ -16,14 +16,15 @@ std::vector<double> rod_frequencies(const HangingRod& rod, const Eigen::VectorXd
     const Eigen::VectorXd& rates = stiffness.eigenvalues();
     const double neutral = neutral_eigenvalue(rod);
     if (!(rates(0) > -neutral)) {
-        throw std::invalid_argument("rod_frequencies: no minimum of the energy");
+        throw std::invalid_argument(
+            "rod_frequencies: the shape is not a minimum of the energy");
     }
     Eigen::Index slack = 0;
     while (slack < rates.size() && rates(slack) < neutral) ++slack;
     const Eigen::Index rest = rates.size() - slack;
 
-    // In the Hessian's eigenvectors. What has no stiffness moves so that no momentum is
-    // left in it: Schur's complement of M there.
+    // In the basis of the Hessian's eigenvectors. Directions without stiffness move such
+    // that they carry no momentum: the Schur complement of M.
     const Eigen::MatrixXd& axes = stiffness.eigenvectors();
     Eigen::MatrixXd mass =
         axes.transpose() * scaled_hessian(rod, rod_mass(rod, q)) * axes;

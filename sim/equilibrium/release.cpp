@@ -13,11 +13,11 @@ std::size_t step_count(const ReleaseSettings& settings) {
     if (!(settings.duration > 0) || !(settings.step > 0) || !(count <= 1e8) ||
         !std::isfinite(settings.duration)) {
         throw std::invalid_argument(
-            "release_rod: duration and step must be above 0, and "
-            "no more than 10^8 steps");
+            "release_rod: duration and step must be above 0 and give at most 10^8 steps");
     }
     if (settings.max_samples < 2 || settings.shapes < 2) {
-        throw std::invalid_argument("release_rod: two samples and shapes at least");
+        throw std::invalid_argument(
+            "release_rod: expected at least two samples and two shapes");
     }
     return std::max<std::size_t>(std::size_t(count), 1);
 }

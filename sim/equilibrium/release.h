@@ -1,5 +1,5 @@
 #pragma once
-// A rod let go from its natural shape.
+// A rod released from its natural shape.
 
 #include <functional>
 
@@ -8,42 +8,42 @@
 
 namespace lancret {
 
-/// Iterations until nothing more is gained: a turn left over is an error of energy.
+/// Settings that iterate down to round-off, since a remaining turn is an error of energy.
 StepSettings to_round_off(Integrator integrator);
 
 struct ReleaseSettings {
     double duration = 1;  ///< s, > 0
-    double step = 1e-3;   ///< s, > 0; made a little shorter where it does not divide
+    double step = 1e-3;   ///< s, > 0; shortened to divide the duration
     StepSettings stepping = to_round_off(Integrator::bdf2);
-    std::size_t max_samples = 1000;  ///< of the energy, at least 2
-    int shapes = 9;                  ///< kept, at equal times, the first and last too
+    std::size_t max_samples = 1000;  ///< of the energy, >= 2
+    int shapes = 9;                  ///< stored, at equal intervals, both ends included
 };
 
 struct ReleaseSample {
     double time = 0;                  ///< s
     double kinetic = 0, elastic = 0;  ///< erg
-    double weight = 0;                ///< erg, 0 with all mass at the root
+    double weight = 0;                ///< erg, 0 if all mass is at the root
 
     double total() const { return kinetic + elastic + weight; }
 };
 
 struct RodRelease {
-    std::vector<ReleaseSample> samples;   ///< the first and the last moment among them
-    std::vector<Eigen::VectorXd> shapes;  ///< curvatures q, the first and last among them
+    std::vector<ReleaseSample> samples;   ///< including the first and the last time
+    std::vector<Eigen::VectorXd> shapes;  ///< curvatures q, likewise
     Eigen::VectorXd q;                    ///< at the end
-    double largest_change = 0;            ///< of |E - E0| at any step, erg
-    double largest_rise = 0;              ///< of E from a step to the next, erg, or 0
+    double largest_change = 0;            ///< maximum of |E - E0| over all steps, erg
+    double largest_rise = 0;  ///< largest increase of E in one step, erg, >= 0
     std::size_t steps = 0, unconverged = 0;
-    /// False where a step failed: all ends there, as what the semi-implicit step does
-    /// where it diverges.
+    /// False if a step failed, as when the semi-implicit step diverges; everything ends
+    /// there.
     bool finished = false;
 };
 
-/// Steps of a rod that at time 0 is in its natural shape, at rest, and feels all its
-/// weight; velocities are told by differences of places. `progress` is given the share
-/// done, in [0, 1], now and then. Throws std::invalid_argument as check_rod does, and
-/// where settings make no sense: a time that is not finite and above 0, more than 10^8
-/// steps, fewer than two samples or shapes.
+/// Simulates a rod that at time 0 is at rest in its natural shape and then feels its full
+/// weight. Velocities are differences of positions. `progress` is called now and then
+/// with the fraction done, in [0, 1]. Throws as check_rod does, and std::invalid_argument
+/// for a time that is not finite and above 0, more than 10^8 steps, or fewer than two
+/// samples or shapes.
 RodRelease release_rod(const HangingRod& rod, const ReleaseSettings& settings,
                        const std::function<void(double)>& progress = {});
 

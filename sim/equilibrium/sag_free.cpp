@@ -17,7 +17,7 @@ std::vector<Vec3> sag_free_natural(const HelixState<double>& root,
     layout.lay_out(lengths, curvatures);
     PointVectors targets;
     std::vector<Vec3> joints, out(lengths.size());
-    // Springs of strength rho S to places that lie g further pull by the weight.
+    // Springs of strength rho S to targets displaced by g pull with the weight.
     point_positions(lengths, root, curvatures, layout, targets, joints);
     for (int i = 0; i < layout.size(); ++i) targets.set(i, targets.get(i) + gravity);
     RodSystem system;
@@ -47,10 +47,10 @@ std::vector<std::size_t> falling_guides(const Guides& guides,
     std::vector<char> falls(guides.size());
     tbb::parallel_for(std::size_t(0), guides.size(), [&](std::size_t g) {
         const auto lengths = guides.lengths_of(g);
-        const auto own = natural.subspan(g * n, n);
+        const auto natural_of_guide = natural.subspan(g * n, n);
         const HangingRod rod{guides.root(g),
                              {lengths.begin(), lengths.end()},
-                             {own.begin(), own.end()},
+                             {natural_of_guide.begin(), natural_of_guide.end()},
                              section,
                              gravity};
         const auto q = Eigen::VectorXd::Map(guides.curvatures_of(g).front().data(),

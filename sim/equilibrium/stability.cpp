@@ -9,27 +9,27 @@ namespace lancret {
 
 namespace {
 
-/// Where the smallest eigenvalue changes its sign between `from` and `to`, by false
-/// position in which a side that is kept counts half each time (Illinois).
+/// The weight between `from` and `to` at which the smallest eigenvalue changes sign, by
+/// the Illinois variant of false position, which halves the value at a side that is kept.
 double eigenvalue_zero(const RodBranch& from, const RodBranch& to) {
     double low = from.weight(), high = to.weight();
-    double at_low = from.smallest_eigenvalue(), at_high = to.smallest_eigenvalue();
-    const double sign = at_low > at_high ? 1 : -1;
+    double value_low = from.smallest_eigenvalue(), value_high = to.smallest_eigenvalue();
+    const double sign = value_low > value_high ? 1 : -1;
     int kept = 0;
     for (int i = 0; i < 100 && high - low > 1e-10 * high; ++i) {
-        const double guess = high - at_high * (high - low) / (at_high - at_low);
-        // A little inside, so that both ends close in.
+        const double guess = high - value_high * (high - low) / (value_high - value_low);
+        // Slightly inside, so that both ends close in.
         const double inset = 2e-11 * high;
         RodBranch branch = from;
         if (!branch.step_to(std::clamp(guess, low + inset, high - inset))) break;
-        const double at = branch.smallest_eigenvalue();
-        const bool below = sign * at > 0;
+        const double value = branch.smallest_eigenvalue();
+        const bool below = sign * value > 0;
         (below ? low : high) = branch.weight();
-        (below ? at_low : at_high) = at;
-        if (kept == (below ? 1 : -1)) (below ? at_high : at_low) /= 2;
+        (below ? value_low : value_high) = value;
+        if (kept == (below ? 1 : -1)) (below ? value_high : value_low) /= 2;
         kept = below ? 1 : -1;
     }
-    return std::abs(at_low) < std::abs(at_high) ? low : high;
+    return std::abs(value_low) < std::abs(value_high) ? low : high;
 }
 
 }  // namespace
@@ -47,7 +47,8 @@ std::vector<StabilityChange> stability_changes(const HangingRod& rod, double max
             return true;
         }
         if (event == WalkEvent::snap) {
-            // A stable rod that snaps has lost its stability, wherever it lands.
+            // A stable rod that snaps has lost its stability, even if it lands on a
+            // stable branch.
             if (before.hessian_is_positive()) out.push_back({fold, false, true});
             if (stable) out.push_back({fold, true, true});
         } else if (stable != before.hessian_is_positive()) {

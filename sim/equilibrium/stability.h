@@ -1,5 +1,5 @@
 #pragma once
-// At what weight a hanging rod buckles.
+// The weights at which a hanging rod buckles.
 
 #include <vector>
 
@@ -9,15 +9,14 @@ namespace lancret {
 
 struct StabilityChange {
     double weight = 0;    ///< a factor on rod.gravity
-    bool stable = false;  ///< beyond it
-    bool fold = false;    ///< the branch ends there, and the rod snaps to another
+    bool stable = false;  ///< beyond this weight
+    bool fold = false;    ///< the branch ends here and the rod snaps to another
 };
 
-/// Where the equilibrium that continues the natural shape stops or starts to be a minimum
-/// of the energy, as the weight factor grows to `most`: the Hessian is singular there. To
-/// 1e-9 of the weight, at a fold to 1e-6. At most `count` of them. A change that is taken
-/// back within 10 % of the weight may be missed. Throws std::invalid_argument as
-/// check_rod does.
+/// The first `count` weight factors up to `max_weight` at which the equilibrium that
+/// continues the natural shape stops or starts to be a minimum of the energy: the Hessian
+/// is singular there. Accurate to 1e-9 of the weight, at a fold to 1e-6. A change that is
+/// reversed within 10 % of the weight may be missed. Throws as check_rod does.
 std::vector<StabilityChange> stability_changes(const HangingRod& rod, double max_weight,
                                                std::size_t count);
 

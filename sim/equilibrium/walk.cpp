@@ -9,7 +9,7 @@ namespace lancret {
 bool walk_branch(RodBranch& branch, const HangingRod& rod, double max_weight,
                  double growth, const std::function<bool(WalkEvent)>& visit) {
     constexpr int kMaxSteps = 5000, kMaxSnaps = 100;
-    // A step below this share of the weight is no step: the branch turns back.
+    // Shorter steps, relative to the weight, mean that the branch turns back.
     constexpr double kShortest = 1e-9;
     // The weight at which bending begins to be felt.
     const double first = 0.05 / std::max(weight_number(rod), 1e-30);

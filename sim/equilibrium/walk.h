@@ -1,5 +1,5 @@
 #pragma once
-// How to follow an equilibrium as the weight grows, over the folds at which it ends.
+// Following an equilibrium as the weight grows, across the folds at which it ends.
 
 #include <functional>
 
@@ -8,15 +8,16 @@
 namespace lancret {
 
 enum class WalkEvent {
-    step,  ///< the branch went on
-    fold,  ///< it ends here: told before the rod snaps
-    snap,  ///< the rod has gone downhill to another branch, at a little more weight
+    step,  ///< the branch was followed by one step
+    fold,  ///< the branch ends; the rod has not snapped yet
+    snap,  ///< the rod has descended to another branch at a slightly larger weight
 };
 
-/// Walks `branch` of `rod` to the weight factor `most`, calling visit(event) at each
-/// event until it says false. No step is longer than `growth` times the weight, so that
-/// nothing shorter is missed; infinity lets the steps grow as they may. False where the
-/// walk did not get there: visit ended it, or it took more than 5000 steps or 100 snaps.
+/// Follows `branch` of `rod` to the weight factor `max_weight`, calling visit(event) at
+/// each event until that returns false. No step is longer than `growth` times the weight,
+/// so that no change over a longer range is missed; infinity does not limit the steps.
+/// Returns false if the walk did not get there: visit returned false, or it would have
+/// taken more than 5000 steps or 100 snaps.
 bool walk_branch(RodBranch& branch, const HangingRod& rod, double max_weight,
                  double growth, const std::function<bool(WalkEvent)>& visit);
 

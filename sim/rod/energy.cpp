@@ -26,10 +26,10 @@ SegmentIntegrals segment_integrals(const Vec3& k, double length, const Vec3& for
     const double turn = k.norm() * length;
     const int halvings = stumpff_halvings(turn * turn);
     over_segment(length, turn, [&](double u, double w) {
-        const SegmentPoint<double> at = segment_point<double>(k.data(), u, halvings);
-        out.position += w * Vec3::Map(at.p);
+        const SegmentPoint<double> point = segment_point<double>(k.data(), u, halvings);
+        out.position += w * Vec3::Map(point.p);
         if (order == Derivatives::none) return;
-        out.jacobian += w * Eigen::Map<const RowMajor>(&at.j[0][0]);
+        out.jacobian += w * Eigen::Map<const RowMajor>(&point.j[0][0]);
         if (order == Derivatives::first) return;
         const SegmentSecondDerivative second(k, u);
         for (int a = 0; a < 3; ++a) {
@@ -58,7 +58,8 @@ Mat3 diagonal_block(const SegmentIntegrals& integrals, const HelixStepDerivative
     for (int a = 0; a < 3; ++a) {
         for (int b = 0; b <= a; ++b) {
             const Vec3 ea = Vec3::Unit(a), eb = Vec3::Unit(b);
-            // r = r_end + rho beyond; phi_a = V e_a is its turn for k_a.
+            // r = r_end + rho beyond the end; phi_a = V e_a is the turn of the end with
+            // k_a.
             const Vec3 twice =
                 end.angular(eb, ea).cross(beyond.moment) +
                 step.angular.col(a).cross(step.angular.col(b).cross(beyond.moment));
@@ -144,9 +145,9 @@ void gravity_terms(const HangingRod& rod, const Eigen::VectorXd& q, Derivatives 
     if (order != Derivatives::none) out.gradient.resize(3 * segments);
     if (order == Derivatives::second) out.hessian.resize(3 * segments, 3 * segments);
 
-    // From tip to root, with the length beyond and its first moment about the joint. A
-    // curvature of an earlier segment turns all beyond it by phi_a: d2r = phi_a x J_b,
-    // so what is downstream enters only by g_b = int J_b ds, world axes.
+    // From tip to root, with the length beyond the joint and its first moment about it. A
+    // curvature of an earlier segment turns everything beyond it by phi_a: d2r = phi_a x
+    // J_b, so what is downstream enters only through g_b = int J_b ds, world axes.
     double beyond = 0;
     Vec3 moment = Vec3::Zero();
     Eigen::Matrix3Xd pulls(3, order == Derivatives::second ? 3 * segments : 0);

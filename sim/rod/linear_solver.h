@@ -1,5 +1,5 @@
 #pragma once
-// The ways to solve a step's linear system [Bergbom07, Sec. 5.1.2].
+// Solvers of a step's linear system [Bergbom07, Sec. 5.1.2].
 
 #include <span>
 
@@ -9,21 +9,21 @@ namespace lancret {
 
 enum class LinearSolver { recursion, cholesky, ldlt, conjugate_gradient, svd };
 
-/// What a solution tells of its matrix, where the solver finds out.
+/// Properties of the matrix that a solver finds.
 struct SolveReport {
-    bool solved = true;    ///< false where a matrix was not positive definite
+    bool solved = true;    ///< false if the matrix was not positive definite
     double condition = 0;  ///< largest over smallest singular value; svd only
     int iterations = 0;    ///< conjugate_gradient only
 };
 
-/// Room for the solvers that need the matrix.
+/// Buffers of the solvers that need the matrix.
 struct DenseSystem {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd force;
 };
 
 /// Solves (M + D) x = f + load; see RodSystem. All but `recursion` assemble the matrix
-/// and take O(N^3) time (conjugate_gradient: O(N^2) an iteration), and allocate.
+/// and take O(N^3) time (conjugate_gradient: O(N^2) per iteration), and allocate.
 SolveReport solve(RodSystem& system, LinearSolver solver, std::span<const Vec3> diagonal,
                   std::span<const Vec3> load, std::span<Vec3> x, DenseSystem& dense);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Gauss points along a segment, whatever its turn.
+// Gauss points along a segment of any turn.
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace lancret {
 
 /// Calls visit(u, w) at the Gauss points of a segment of length `length` (cm) that turns
-/// by `turn`, u from its start and w the arc length that the point stands for. A segment
-/// beyond what one rule serves is cut into equal panels, at most 10^4.
+/// by `turn` (rad): u is the arc length from its start, w the weight, both cm. A segment
+/// that turns too far for one rule is cut into equal panels, at most 10^4.
 template <class Visit>
 void over_segment(double length, double turn, Visit&& visit) {
     constexpr double kPanelTurn = 24;

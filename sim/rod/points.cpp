@@ -8,7 +8,7 @@ namespace lancret {
 
 namespace {
 
-/// The start of a segment and how it moves.
+/// The start of a segment and its motion.
 struct Joint {
     RootMotion motion;
 
@@ -16,14 +16,14 @@ struct Joint {
         return {rates, motion.velocity, motion.angular_velocity};
     }
 
-    /// On to the end of a segment.
+    /// Moves on to the end of the segment.
     void advance(const SegmentEnd& end, const Vec3& rates) {
         const Mat3& frame = motion.pose.frame;
         motion.pose.position += move_velocity(end, rates);
         motion.angular_velocity += frame * (end.angular * rates);
         motion.pose.frame = (frame * end.rotation).eval();
     }
-    /// The same with accelerations, q'' = 0.
+    /// The same, including accelerations, with q'' = 0.
     void advance_with_bias(const SegmentEnd& end, const Vec3& rates, const Vec3& k,
                            double length) {
         const Mat3& frame = motion.pose.frame;
@@ -39,7 +39,7 @@ struct Joint {
     }
 
   private:
-    /// Moves the velocity on and gives the displacement.
+    /// Moves the velocity on to the end and returns the displacement.
     Vec3 move_velocity(const SegmentEnd& end, const Vec3& rates) {
         const Vec3 d = motion.pose.frame * end.position;
         motion.velocity +=

@@ -1,5 +1,5 @@
 #pragma once
-// The quadrature points of a rod, and how they move.
+// The quadrature points of a rod and their motion.
 
 #include <vector>
 
@@ -8,10 +8,10 @@
 
 namespace lancret {
 
-/// How many Gauss points each segment of a rod has, and where in an array they are.
+/// The number of Gauss points per segment of a rod and their offsets in an array.
 class PointLayout {
   public:
-    /// By the turn |k| l of each segment.
+    /// Chooses the number of points per segment from its turn |k| l.
     void lay_out(std::span<const double> lengths, std::span<const Vec3> curvatures);
 
     int segments() const { return int(first_.size()) - 1; }
@@ -23,10 +23,10 @@ class PointLayout {
     std::vector<int> first_{0};  ///< [segments + 1]
 };
 
-/// A vector a point: structure of arrays.
+/// One vector per point: structure of arrays.
 class PointVectors {
   public:
-    /// Makes room; what was there is lost. Allocates only to grow.
+    /// Discards the values. Allocates only to grow.
     void resize(int points) {
         stride_ = std::size_t(points);
         if (values_.size() < 3 * stride_) values_.resize(3 * stride_);
@@ -49,19 +49,19 @@ class PointVectors {
     std::size_t stride_ = 0;
 };
 
-/// Places of all points, cm, and of the joints from the end of the first segment to the
-/// tip. Resizes both.
+/// Positions of all points and of the joints from the end of the first segment to the
+/// tip, cm, world axes. Resizes both.
 void point_positions(std::span<const double> lengths, const HelixState<double>& root,
                      std::span<const Vec3> curvatures, const PointLayout& layout,
                      PointVectors& positions, std::vector<Vec3>& joints);
 
-/// Velocities of all points and of those joints, cm/s. Resizes both.
+/// Velocities of all points and of the same joints, cm/s. Resizes both.
 void point_velocities(const Rod& rod, const RodState& state, const PointLayout& layout,
                       PointVectors& velocities, std::vector<Vec3>& joints);
 
-/// What the points' accelerations are without q'', cm/s^2: the root's motion and all that
-/// is quadratic in velocities [Bergbom07, Eq. 4.36, corrected], by one recursion from the
-/// root.
+/// The points' accelerations without the term of q'', cm/s^2: those of the root's motion
+/// and all terms quadratic in velocities [Bergbom07, Eq. 4.36, corrected], by one
+/// recursion from the root. Resizes `bias`.
 void point_bias(const Rod& rod, const RodState& state, const PointLayout& layout,
                 PointVectors& bias);
 

@@ -1,5 +1,5 @@
 #pragma once
-// One Super-Helix as the dynamics sees it.
+// One Super-Helix as input of the dynamics.
 
 #include <span>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace lancret {
 
-/// What a rod is made of: it does not change while the rod moves.
+/// The properties of a rod that do not change while it moves.
 struct Rod {
     std::span<const double> lengths;  ///< [segments], cm, > 0
     std::span<const Vec3> natural;    ///< [segments], curvatures without load, 1/cm
@@ -18,13 +18,13 @@ struct Rod {
     int segments() const { return int(lengths.size()); }
 };
 
-/// Where a rod is at a time, by itself.
+/// The pose of a rod at one time; owns its arrays.
 struct RodPose {
     HelixState<double> root;
     std::vector<Vec3> curvatures;  ///< [segments], 1/cm
 };
 
-/// Where a rod is and how it moves. The generalised coordinates q are all (k0, k1, k2).
+/// The pose and motion of a rod. The generalised coordinates q are all (k0, k1, k2).
 struct RodState {
     RootMotion root;
     std::span<const Vec3> curvatures;  ///< [segments], q, 1/cm

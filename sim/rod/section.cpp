@@ -11,13 +11,14 @@ RodSection rod_section(const RodMaterial& material, Dissipation form, double dam
     // Written so that a NaN fails.
     const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
     if (!positive(young) || !positive(a1) || !positive(a2) || !positive(density)) {
-        throw std::invalid_argument("rod_section: a constant of hair is above 0");
+        throw std::invalid_argument(
+            "rod_section: modulus, radii and density must be finite and above 0");
     }
     if (!(poisson > -1 && poisson <= 0.5)) {
-        throw std::invalid_argument("rod_section: Poisson's ratio is within (-1, 0.5]");
+        throw std::invalid_argument("rod_section: Poisson's ratio must be in (-1, 0.5]");
     }
     if (!(damping >= 0 && std::isfinite(damping))) {
-        throw std::invalid_argument("rod_section: damping is 0 or more");
+        throw std::invalid_argument("rod_section: damping must be finite and at least 0");
     }
     constexpr double pi = std::numbers::pi;
     const double shear = young / (2 * (1 + poisson));

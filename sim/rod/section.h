@@ -1,5 +1,5 @@
 #pragma once
-// What a hair is made of, and what of it a Super-Helix feels.
+// The material of a hair and the constants of a Super-Helix that follow from it.
 
 #include "guides/base/types.h"
 
@@ -14,14 +14,14 @@ struct RodMaterial {
     double density = 1.3;         ///< rho, g/cm^3
 };
 
-/// How curvature's motion is damped: the dissipation is half the integral of
+/// How changes of curvature are damped: the dissipation is half the integral of
 /// sum_i d_i k_i'^2.
 enum class Dissipation {
     viscoelastic,  ///< d_i = mu (EI)_i, mu in seconds [Bergbom07, Eq. 4.29]
     uniform,       ///< d_i = gamma, dyn cm^2 s [Bergbom07, Eq. 4.28]
 };
 
-/// The constants of a rod for each unit of its length.
+/// The constants of a rod per unit of its length.
 struct RodSection {
     Vec3 stiffness = Vec3::Ones();  ///< against (k0, k1, k2), dyn cm^2
     Vec3 damping = Vec3::Zero();    ///< against (k0', k1', k2'), dyn cm^2 s
@@ -30,7 +30,7 @@ struct RodSection {
 
 /// The constants of `material`: (GJ, EI_1, EI_2) with the shear modulus
 /// E / 2 (1 + sigma), and rho S. `damping` is mu (s) or gamma (dyn cm^2 s). Throws
-/// std::invalid_argument where a constant is not finite, a modulus, radius or density is
+/// std::invalid_argument if a constant is not finite, a modulus, radius or density is
 /// not above 0, sigma is outside (-1, 0.5], or the damping is below 0.
 RodSection rod_section(const RodMaterial& material, Dissipation form, double damping);
 

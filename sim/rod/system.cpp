@@ -15,7 +15,7 @@ Mat3 crossed(const Vec3& a, const Mat3& m) {
     return out;
 }
 
-/// Blocks as matrices.
+/// A SegmentBlock seen as matrices.
 template <class Blocks, class Matrix, class Vector>
 struct BlocksView {
     using MatrixMap = Eigen::Map<Matrix>;
@@ -44,12 +44,12 @@ struct BlocksView {
 using View = BlocksView<SegmentBlock, Mat3, Vec3>;
 using ConstView = BlocksView<const SegmentBlock, const Mat3, const Vec3>;
 
-/// What follows a joint, seen as a body that is held there.
+/// Everything beyond a joint, as one body held there.
 struct Composite {
     Mat3 aa = Mat3::Zero(), al = Mat3::Zero(), ll = Mat3::Zero();
     Vec3 moment = Vec3::Zero(), force = Vec3::Zero();
 
-    /// Tells it about a point that lies -d away: T^t I T and T^t (moment; force).
+    /// Moves the reference point by -d: T^t I T and T^t (moment; force).
     void shift(const Vec3& d) {
         const Mat3 turned = crossed(d, ll);
         const Mat3 coupling = crossed(d, al.transpose());
@@ -140,16 +140,17 @@ void RodSystem::assemble(std::span<const Vec3> diagonal, std::span<const Vec3> l
         const ConstView s(segments_[std::size_t(q)]);
         Mat3 angular = beyond.aa * s.turn + beyond.al * s.move;
         Mat3 linear = beyond.al.transpose() * s.turn + beyond.ll * s.move;
-        const Mat3 own =
+        const Mat3 diagonal_block =
             s.gram + s.turn.transpose() * angular + s.move.transpose() * linear;
-        matrix.block<3, 3>(3 * q, 3 * q) = (own + own.transpose()) / 2;
+        matrix.block<3, 3>(3 * q, 3 * q) =
+            (diagonal_block + diagonal_block.transpose()) / 2;
         matrix.diagonal().segment<3>(3 * q) += diagonal[q];
         force.segment<3>(3 * q) = s.load + load[q] + s.turn.transpose() * beyond.moment +
                                   s.move.transpose() * beyond.force;
         angular += s.moment + crossed(s.offset, linear);
         linear += s.force;
-        // What dk of this segment costs in wrench at the start of it, carried towards the
-        // root, meets the motion that every earlier segment gives to that place.
+        // The wrench per dk of this segment, about its start, is carried towards the root
+        // and multiplied with the motion that each earlier segment gives to that point.
         for (int p = q; p-- > 0;) {
             const ConstView earlier(segments_[std::size_t(p)]);
             matrix.block<3, 3>(3 * p, 3 * q) =

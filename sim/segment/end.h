@@ -1,5 +1,5 @@
 #pragma once
-// What a whole segment does to all that follows it.
+// The effect of a whole segment on everything beyond it.
 
 #include "guides/helix/helix.h"
 #include "sim/segment/kernel.h"

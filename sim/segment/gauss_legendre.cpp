@@ -19,8 +19,8 @@ struct Table {
         for (int n = 1; n <= kMaxGaussPoints; ++n) make(n);
     }
 
-    /// The roots of Legendre's polynomial P_n by Newton's method; they lie in pairs about
-    /// the middle.
+    /// Finds the roots of the Legendre polynomial P_n by Newton's method. They lie in
+    /// pairs about the middle.
     void make(int n) {
         nodes[n].resize(n);
         weights[n].resize(n);
@@ -52,7 +52,7 @@ GaussRule gauss_rule(int n) {
 }
 
 int gauss_points(double turn) {
-    // Compared before it is rounded: a turn may be any number.
+    // Compared before rounding, since a turn may exceed the range of int.
     if (!(turn < kMaxGaussPoints - 5)) return kMaxGaussPoints;
     const int points = 5 + int(std::ceil(turn));
     return std::clamp((points + 3) / 4 * 4, 8, kMaxGaussPoints);

@@ -5,7 +5,7 @@
 
 namespace lancret {
 
-/// The most points of a rule.
+/// Largest number of points of a rule.
 inline constexpr int kMaxGaussPoints = 32;
 
 struct GaussRule {
@@ -16,8 +16,8 @@ struct GaussRule {
 /// The rule of n points, 1 <= n <= kMaxGaussPoints: exact for degree 2n - 1.
 GaussRule gauss_rule(int n);
 
-/// How many points integrate a segment that turns by `turn` = |k| l: 5 + turn, rounded up
-/// to whole groups of four, from 8 to kMaxGaussPoints. The relative error of all segment
+/// Number of points for a segment that turns by `turn` = |k| l: 5 + turn, rounded up to a
+/// multiple of four, from 8 to kMaxGaussPoints. The relative error of all segment
 /// integrals is then below 1e-10 for turns up to 25.
 int gauss_points(double turn);
 

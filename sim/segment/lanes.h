@@ -1,12 +1,12 @@
 #pragma once
-// Four numbers side by side, for loops over quadrature points. Sums over lanes have one
-// order, so every machine gets the same bits whatever the width of its registers.
+// Four numbers side by side, for loops over quadrature points. Sums over lanes have a
+// fixed order, so every machine gets the same bits for any register width.
 //
-// Code that uses them is compiled once for each width (segment_loops_*.cpp). Every width
-// has its own namespace, so that a template made for one is never taken for the other.
+// Code that uses them is compiled once per width (loops_plain.cpp, loops_wide.cpp). Each
+// width has its own namespace, so that the linker never mixes up their templates.
 
 #ifndef LANCRET_SIMD
-#error "only a file that says for which registers it is compiled may include this"
+#error "define LANCRET_SIMD, the namespace of a register width, before including this"
 #endif
 
 #include <cstring>
@@ -28,12 +28,12 @@ struct Lanes {
         std::memcpy(&out.v, from, sizeof(Vector));
         return out;
     }
-    /// The first three; the fourth is what lies behind.
+    /// Stores the first three numbers and leaves the one behind them alone.
     void store3(double* to) const { std::memcpy(to, &v, 3 * sizeof(double)); }
     void store(double* to) const { std::memcpy(to, &v, sizeof(Vector)); }
     double sum() const { return (v[0] + v[2]) + (v[1] + v[3]); }
 
-    /// The sums of four, side by side.
+    /// The sums of the lanes of a, b, c and d, side by side.
     static Lanes sums(Lanes a, Lanes b, Lanes c, Lanes d) {
         const Vector even_ab = __builtin_shufflevector(a.v, b.v, 0, 4, 2, 6);
         const Vector odd_ab = __builtin_shufflevector(a.v, b.v, 1, 5, 3, 7);

@@ -1,14 +1,14 @@
 #pragma once
-// The loops over quadrature points, compiled once for each width of registers. Numbers
-// only: nothing here may be an inline function that other code shares, lest the linker
-// take the wide one for a machine that has no such registers.
+// The loops over quadrature points, compiled once per register width. Plain numbers only:
+// nothing here may be an inline function that other code shares, or the linker could keep
+// the wide version on a machine without such registers.
 
 #include "sim/segment/block.h"
 #include "sim/segment/quadrature.h"
 
 namespace lancret {
 
-/// A segment; matrices by columns.
+/// A segment as input of the loops; matrices by columns.
 struct SegmentLoop {
     const double *darboux, *frame, *start;
     double length;
@@ -17,7 +17,8 @@ struct SegmentLoop {
     PointTargets targets;
 };
 
-/// Where each sum is: symmetric matrices by their lower halves, others by columns.
+/// Index of each sum. Symmetric matrices are stored by their lower halves, others by
+/// columns.
 enum SegmentSum {
     kGramSum = 0,
     kSecondSum = 6,
@@ -31,14 +32,15 @@ enum SegmentSum {
     kSegmentSums = 44
 };
 
-/// The vectors that p, p' and p'' are sums of, with factors that depend on u alone.
+/// The vectors that p, p' and p'' are linear combinations of, with factors that depend
+/// only on u.
 struct RateVectors {
     double turn[3], turn_rate[3];                ///< K e0, k' x e0
     double square[3], square_rate[3], rates[3];  ///< K^2 e0 and its derivatives by k'
     double along, speed;                         ///< k . k', |k'|^2
 };
 
-/// How the start of a segment moves; see SegmentMotion.
+/// Motion of the start of a segment; see SegmentMotion.
 struct StartMotion {
     const double *velocity, *angular_velocity;
     const double *acceleration, *angular_acceleration;
@@ -46,7 +48,7 @@ struct StartMotion {
 
 struct SegmentLoops {
     void (*sums)(const SegmentLoop&, double* sums);
-    /// Inertia and loads of a segment in space, from its sums and its frame.
+    /// Inertia and loads of a segment in world axes, from its sums and its frame.
     void (*to_space)(const double* sums, double weight, SegmentBlock&);
     /// The recursion from tip to root and back; `diagonal`, `load` and `x` are
     /// [segments][3].
@@ -60,7 +62,7 @@ struct SegmentLoops {
                  std::size_t stride);
 };
 
-/// For any machine, and for one with AVX2: the same bits.
+/// For any machine, and for one with AVX2. Both give the same bits.
 extern const SegmentLoops kPlainLoops;
 extern const SegmentLoops kWideLoops;
 

@@ -1,6 +1,6 @@
 #pragma once
-// The loops of segment_loops.h for the registers that LANCRET_SIMD names. Included by
-// segment_loops_*.cpp alone.
+// The loops of loops.h for the registers that LANCRET_SIMD names. Included only by
+// loops_plain.cpp and loops_wide.cpp.
 
 #include <array>
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include "sim/segment/kernel.h"
 #include "sim/segment/lanes.h"
 #include "sim/segment/loops.h"
-// After the sums that it knows.
+// Last: it uses the indices of the sums.
 #include "sim/segment/recursion_code.h"
 
 namespace lancret::LANCRET_SIMD {
@@ -29,7 +29,7 @@ Vec3L cross(const Vec3L& a, const Vec3L& b) {
             a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The matrix, by columns, times the vectors.
+/// The matrix m, stored by columns, times the vectors.
 Vec3L turned(const double* m, const Vec3L& v) {
     const auto row = [&](int i) {
         return Lanes(m[i]) * v[0] + Lanes(m[3 + i]) * v[1] + Lanes(m[6 + i]) * v[2];
@@ -37,7 +37,7 @@ Vec3L turned(const double* m, const Vec3L& v) {
     return {row(0), row(1), row(2)};
 }
 
-/// Its transpose times the vectors.
+/// The transpose of the matrix m times the vectors.
 Vec3L turned_back(const double* m, const Vec3L& v) {
     const auto column = [&](int i) {
         return Lanes(m[3 * i]) * v[0] + Lanes(m[3 * i + 1]) * v[1] +
@@ -46,7 +46,7 @@ Vec3L turned_back(const double* m, const Vec3L& v) {
     return {column(0), column(1), column(2)};
 }
 
-/// The targets from the places, in the segment's frame.
+/// Targets minus positions, in the segment's frame.
 Vec3L residual(const SegmentLoop& s, int i, const Lanes* p) {
     const Vec3L local =
         turned_back(s.frame, {Lanes::load(s.targets.x + i) - Lanes(s.start[0]),

@@ -1,4 +1,4 @@
-// Compiled for AVX2 where the compiler knows it (sim/CMakeLists.txt).
+// Compiled for AVX2 on x86-64 (sim/CMakeLists.txt).
 #define LANCRET_SIMD wide
 #include "sim/segment/loops_code.h"
 

@@ -86,12 +86,12 @@ TranslationReport translate_point(const SuperHelix& helix, double s, const Vec3&
                                   std::vector<Vec3>& curvatures) {
     const int segments = int(helix.lengths.size());
     const double length = std::accumulate(helix.lengths.begin(), helix.lengths.end(), 0.);
-    check(s >= 0 && s <= length * (1 + 1e-12), "a point of the strand");
-    check(target.allFinite(), "a finite target");
-    check(settings.stiffness.minCoeff() > 0, "a stiffness above 0");
+    check(s >= 0 && s <= length * (1 + 1e-12), "s must be in [0, length]");
+    check(target.allFinite(), "the target must be finite");
+    check(settings.stiffness.minCoeff() > 0, "stiffness must be above 0");
     const int first = settings.first_segment,
               last = std::min(settings.last_segment, segments - 1);
-    check(first >= 0 && first <= last, "segments of the strand");
+    check(first >= 0 && first <= last, "no such segments");
 
     curvatures.assign(helix.curvatures.begin(), helix.curvatures.end());
     MovedPoint point{helix, s,          target, settings.stiffness, first,

@@ -8,7 +8,7 @@ namespace lancret {
 
 namespace {
 
-/// The widest loops that this machine runs.
+/// The widest loops that this machine can run.
 const SegmentLoops& loops() {
 #if defined(__x86_64__)
     static const bool wide = __builtin_cpu_supports("avx2");
@@ -25,30 +25,30 @@ SegmentLoop loop_of(const SegmentQuadrature& s) {
             halvings,         rule.nodes.data(), rule.weights.data(), s.targets};
 }
 
-void keep(const Vec3& v, double* to) { Vec3::Map(to) = v; }
+void store(const Vec3& v, double* to) { Vec3::Map(to) = v; }
 
 RateVectors rate_vectors(const Vec3& k, const Vec3& rate) {
     const Vec3 e0 = Vec3::UnitX();
     RateVectors out;
     out.along = k.dot(rate);
     out.speed = rate.squaredNorm();
-    keep(k.cross(e0), out.turn);
-    keep(rate.cross(e0), out.turn_rate);
-    keep(k.x() * k - k.squaredNorm() * e0, out.square);
-    keep(k.x() * rate + rate.x() * k - 2 * out.along * e0, out.square_rate);
-    keep(2 * (rate.x() * rate - out.speed * e0), out.rates);
+    store(k.cross(e0), out.turn);
+    store(rate.cross(e0), out.turn_rate);
+    store(k.x() * k - k.squaredNorm() * e0, out.square);
+    store(k.x() * rate + rate.x() * k - 2 * out.along * e0, out.square_rate);
+    store(2 * (rate.x() * rate - out.speed * e0), out.rates);
     return out;
 }
 
 }  // namespace
 
 double integrate_segment(const SegmentQuadrature& segment, double weight,
-                         SegmentBlock& blocks) {
-    double sums[kSegmentSums + 1];  // room for a load of four numbers from the end
+                         SegmentBlock& block) {
+    double sums[kSegmentSums + 1];  // padding, for a load of four numbers
     loops().sums(loop_of(segment), sums);
-    Mat3::Map(blocks.frame) = segment.frame;
-    Vec3::Map(blocks.start) = segment.start;
-    loops().to_space(sums, weight, blocks);
+    Mat3::Map(block.frame) = segment.frame;
+    Vec3::Map(block.start) = segment.start;
+    loops().to_space(sums, weight, block);
     return weight * sums[kSquareSum] / 2;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The integrals over a segment that the dynamics is made of, by Gauss quadrature.
+// The segment integrals of the dynamics, by Gauss quadrature.
 
 #include <cstddef>
 #include <span>
@@ -9,48 +9,48 @@
 
 namespace lancret {
 
-/// Places that the points of a segment are drawn to, cm, in space: structure of arrays.
+/// Target positions of the points of a segment, cm, world axes: structure of arrays.
 struct PointTargets {
     const double *x, *y, *z;  ///< [points]
 };
 
-/// A segment as quadrature sees it.
+/// A segment as input of the quadrature.
 struct SegmentQuadrature {
     Vec3 darboux;       ///< k, 1/cm
     double length = 0;  ///< cm
-    int points = 0;     ///< of its Gauss rule, a multiple of four
-    Mat3 frame;         ///< at its start, in space
-    Vec3 start;         ///< cm, in space
+    int points = 0;     ///< of the Gauss rule, a multiple of four
+    Mat3 frame;         ///< at its start, world axes
+    Vec3 start;         ///< cm, world axes
     PointTargets targets{};
 };
 
-/// The integrals over a segment as blocks in space, without darboux, length and what the
-/// segment does to its end. `weight` is that of the whole segment. Gives
-/// weight |target - place|^2 / 2, averaged over the segment.
+/// Sets the integrals of `block`, in world axes; `darboux`, `length`, `offset`, `turn`
+/// and `move` are left alone. `weight` is that of the whole segment. Returns weight
+/// |target - position|^2 / 2, averaged over the segment.
 double integrate_segment(const SegmentQuadrature& segment, double weight,
-                         SegmentBlock& blocks);
+                         SegmentBlock& block);
 
 /// The recursion of RodSystem::solve; `diagonal`, `load` and `x` are [segments][3].
 void solve_recursion(std::span<SegmentBlock> segments, const double* diagonal,
                      const double* load, double* x);
 
-/// Places of the points in space, cm, [3][points]: structure of arrays with the given
-/// stride between x, y and z.
+/// World positions of the points, cm, [3][points]: structure of arrays with `stride`
+/// between x, y and z.
 void segment_positions(const SegmentQuadrature& segment, double* positions,
                        std::size_t stride);
 
-/// How the points of a segment move at an instant.
+/// Motion of a segment at an instant.
 struct SegmentMotion {
     Vec3 rates;             ///< k', 1/(cm s)
     Vec3 velocity;          ///< of the segment's start, cm/s
     Vec3 angular_velocity;  ///< of its frame, rad/s
 };
 
-/// Velocities of the points, cm/s.
+/// World velocities of the points, cm/s, laid out as the positions.
 void segment_velocities(const SegmentQuadrature& segment, const SegmentMotion& motion,
                         double* velocities, std::size_t stride);
 
-/// What the points' acceleration is without k'', [3][points], cm/s^2: a + alpha x d +
+/// The points' acceleration without the term of k'', [3][points], cm/s^2: a + alpha x d +
 /// omega x (omega x d) + 2 omega x F p' + F p'', with p' = J k', p'' = D^2 p [k', k']
 /// [Bergbom07, Eq. 4.36, corrected]. `acceleration` and `angular_acceleration` are those
 /// of the segment's start.

@@ -1,7 +1,7 @@
 #pragma once
-// The recursion along a rod for the registers that LANCRET_SIMD names: a vector is one
-// Lanes whose last number is of no account, a matrix three columns. Included by
-// segment_loops_code.h alone.
+// The recursion along a rod for the registers that LANCRET_SIMD names. A vector is one
+// Lanes whose last number is ignored, a matrix is three columns. Included only by
+// loops_code.h.
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ struct Columns {
 
     static Columns zero() { return {}; }
     static Columns load(const double* m) {
-        // The last column's fourth number is the first of whatever follows.
+        // The fourth number of each column is the first of what follows it in memory.
         return {{Lanes::load(m), Lanes::load(m + 3), Lanes::load(m + 6)}};
     }
     void store(double* m) const {
@@ -66,7 +66,7 @@ Lanes cross(const Lanes& a, const Lanes& b) {
     return next(a * next(b) - next(a) * b);
 }
 
-/// a x each column.
+/// a x each column of m.
 Columns cross(const Lanes& a, const Columns& m) {
     return {{cross(a, m.c[0]), cross(a, m.c[1]), cross(a, m.c[2])}};
 }
@@ -76,7 +76,7 @@ Columns operator*(const Lanes& s, const Columns& m) {
     return {{s * m.c[0], s * m.c[1], s * m.c[2]}};
 }
 
-/// Lower triangle of a 3 x 3 matrix.
+/// A lower triangular 3 x 3 matrix.
 struct Lower {
     double a, b, c, d, e, f;  ///< by rows
 };
@@ -102,12 +102,12 @@ Columns right_solve(const Columns& u, const Lower& l) {
     return w;
 }
 
-/// What follows a joint, seen as a body that is held there.
+/// Everything beyond a joint, as one body held there.
 struct Composite {
     Columns aa, al, ll;
     Lanes moment, force;
 
-    /// Tells it about a point that lies -d away: T^T I T and T^T (moment; force).
+    /// Moves the reference point by -d: T^T I T and T^T (moment; force).
     void shift(const Lanes& d) {
         const Columns turned = cross(d, ll), coupling = cross(d, al.transpose());
         const Columns twice = cross(d, turned.transpose());  // [d] ll [d]^T
@@ -178,8 +178,8 @@ void solve(SegmentBlock* segments, int count, const double* diagonal, const doub
         const double factor[9] = {l.a, l.b, l.d, 0, l.c, l.e, 0, 0, l.f};
         for (int i = 0; i < 9; ++i) s.factor[i] = factor[i];
         beyond.shift(offset);
-        // Subtracting a product with its own transpose keeps the inertia symmetric; an
-        // asymmetry would grow along the strand.
+        // Subtracting a product of a matrix and its transpose keeps the inertia
+        // symmetric; an asymmetry would grow along the strand.
         beyond.aa += Columns::load(s.aa);
         beyond.aa -= outer(wa, wa);
         beyond.al += Columns::load(s.al);

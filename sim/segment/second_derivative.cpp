@@ -4,7 +4,7 @@ namespace lancret {
 
 namespace {
 
-/// K^2 e0 = k0 k - |k|^2 e0 is a quadratic form in k; this is its polar form, twice.
+/// Twice the polar form of K^2 e0 = k0 k - |k|^2 e0, which is quadratic in k.
 Vec3 square_form(const Vec3& a, const Vec3& b) {
     return a.x() * b + b.x() * a - 2 * a.dot(b) * Vec3::UnitX();
 }

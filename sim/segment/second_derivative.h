@@ -1,22 +1,24 @@
 #pragma once
-// Second derivatives of a segment with respect to its curvatures: what the velocity terms
-// and the geometric stiffness are made of. All in the frame at the segment's start.
+// Second derivatives of a segment with respect to its curvatures, for the velocity terms
+// and the geometric stiffness. Everything is expressed in the frame at the segment's
+// start.
 
 #include "guides/base/types.h"
 #include "sim/segment/stumpff.h"
 
 namespace lancret {
 
-/// A segment at arc length u from its start, ready for derivatives in any direction.
+/// Directional derivatives of a segment at arc length u from its start.
 class SegmentSecondDerivative {
   public:
     /// `k` is the Darboux vector, 1/cm, `u` the arc length, cm.
     SegmentSecondDerivative(const Vec3& k, double u);
 
-    /// D^2 p [a, b], symmetric in a and b: of the position, cm for a and b in 1/cm.
+    /// D^2 p [a, b], the second derivative of the position, symmetric in a and b; cm for
+    /// a and b in 1/cm.
     Vec3 position(const Vec3& a, const Vec3& b) const;
-    /// (D V [a]) b: how the rotation vector V b changes as k moves by a. Not symmetric:
-    /// rotations do not commute.
+    /// (D V [a]) b, the change of the rotation vector V b as k changes by a. Not
+    /// symmetric: rotations do not commute.
     Vec3 angular(const Vec3& a, const Vec3& b) const;
 
   private:

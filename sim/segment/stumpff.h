@@ -1,10 +1,10 @@
 #pragma once
-// Stumpff's functions c_m(x) = sum_n (-x)^n / (2n + m)!, smooth everywhere: c0 = cos t,
+// The Stumpff functions c_m(x) = sum_n (-x)^n / (2n + m)!, smooth everywhere: c0 = cos t,
 // c1 = sin t / t, c2 = (1 - cos t) / t^2, c3 = (t - sin t) / t^3 with x = t^2.
 //
 // c_m = 1/m! - x c_{m+2}, and dc_m/dx = (m c_{m+2} - c_{m+1}) / 2, so that derivatives
-// need no division either. T may be a number or a vector of numbers: + - * and
-// construction from a double are all that is asked of it.
+// need no division either. T may be a number or a vector of numbers; it needs + - * and
+// construction from a double.
 
 #include <array>
 #include <cstddef>
@@ -21,7 +21,8 @@ struct StumpffTail {
     T c6, c7;  ///< for second derivatives
 };
 
-/// How often t must be halved for the series to be exact to round-off.
+/// Number of halvings of t, for x = t^2 up to `largest_x`, that make the series exact to
+/// round-off.
 inline int stumpff_halvings(double largest_x) {
     int halvings = 0;
     for (; largest_x > 1 && halvings < 64; largest_x /= 4) ++halvings;
@@ -43,7 +44,7 @@ inline constexpr auto kCoefficients = [] {
     return out;
 }();
 
-/// c_m at x <= 1, m >= 4, by Horner's rule: the first term left out is below 2^-56 of the
+/// c_m at x <= 1, m >= 4, by Horner's rule. The first omitted term is below 2^-56 of the
 /// sum.
 template <int m, class T>
 T series(const T& x) {
@@ -59,7 +60,7 @@ Stumpff<T> upwards(const T& x, const T& c4, const T& c5) {
     return {T(1.0) - x * c3, c2, c3, c4, c5};
 }
 
-/// At 4x from those at x: double-angle formulas without a difference of like numbers.
+/// Values at 4x from those at x: double-angle formulas without cancellation.
 template <class T>
 Stumpff<T> doubled(const T& x, const Stumpff<T>& c) {
     const T c0 = T(1.0) - x * c.c2;
@@ -82,31 +83,31 @@ T power_of_quarter(int n) {
 
 }  // namespace stumpff
 
-/// c1 to c5 at x >= 0, halved so often that the series serves (see stumpff_halvings).
+/// c1 to c5 at x >= 0; `halvings` as returned by stumpff_halvings.
 template <class T>
 Stumpff<T> stumpff_functions(const T& x, int halvings) {
-    T at = x * stumpff::power_of_quarter<T>(halvings);
-    Stumpff<T> c =
-        stumpff::upwards<T>(at, stumpff::series<4, T>(at), stumpff::series<5, T>(at));
+    T reduced = x * stumpff::power_of_quarter<T>(halvings);
+    Stumpff<T> c = stumpff::upwards<T>(reduced, stumpff::series<4, T>(reduced),
+                                       stumpff::series<5, T>(reduced));
     for (int i = 0; i < halvings; ++i) {
-        c = stumpff::doubled<T>(at, c);
-        at = at * T(4.0);
+        c = stumpff::doubled<T>(reduced, c);
+        reduced = reduced * T(4.0);
     }
     return c;
 }
 
-/// The same with c6 and c7.
+/// The same, and c6 and c7.
 template <class T>
 Stumpff<T> stumpff_functions(const T& x, int halvings, StumpffTail<T>& tail) {
-    T at = x * stumpff::power_of_quarter<T>(halvings);
-    tail = {stumpff::series<6, T>(at), stumpff::series<7, T>(at)};
-    Stumpff<T> c =
-        stumpff::upwards<T>(at, T(1. / 24) - at * tail.c6, T(1. / 120) - at * tail.c7);
+    T reduced = x * stumpff::power_of_quarter<T>(halvings);
+    tail = {stumpff::series<6, T>(reduced), stumpff::series<7, T>(reduced)};
+    Stumpff<T> c = stumpff::upwards<T>(reduced, T(1. / 24) - reduced * tail.c6,
+                                       T(1. / 120) - reduced * tail.c7);
     for (int i = 0; i < halvings; ++i) {
         const StumpffTail<T> next = stumpff::doubled<T>(c, tail);
-        c = stumpff::doubled<T>(at, c);
+        c = stumpff::doubled<T>(reduced, c);
         tail = next;
-        at = at * T(4.0);
+        reduced = reduced * T(4.0);
     }
     return c;
 }

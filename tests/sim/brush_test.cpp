@@ -1,4 +1,4 @@
-// A brush that a fast sphere runs into and stops in [Bergbom07, Figure 4.5].
+// A fast sphere runs into a brush and stops in it [Bergbom07, Figure 4.5].
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 constexpr int kAcross = 10, kDeep = 5, kSegments = 5;
 constexpr double kBristle = 5, kSphere = 1.5;
 
-/// Fifty bristles that stand up, half a centimetre apart.
+/// Fifty upright bristles, half a centimetre apart.
 Guides brush() {
     Guides out;
     out.segments = kSegments;
@@ -32,7 +32,7 @@ Guides brush() {
     return out;
 }
 
-/// From the right, 5 cm in a tenth of a second, then still, in the middle of the brush.
+/// Moves 5 cm from the right in a tenth of a second and stops in the middle of the brush.
 RigidPose sphere_at(double time) {
     RigidPose out;
     out.translation = {5 * std::max(0., 1 - time / 0.1), 3.9, 0};
@@ -42,16 +42,16 @@ RigidPose sphere_at(double time) {
 std::vector<Vec3> tips_of(const Guides& guides) {
     std::vector<Vec3> out;
     for (std::size_t g = 0; g < guides.size(); ++g) {
-        HelixState<double> at = guides.root(g);
+        HelixState<double> state = guides.root(g);
         for (int q = 0; q < guides.segments; ++q) {
-            advance<double>(at, guides.curvatures_of(g)[q], guides.lengths_of(g)[q]);
+            advance<double>(state, guides.curvatures_of(g)[q], guides.lengths_of(g)[q]);
         }
-        out.push_back(at.position);
+        out.push_back(state.position);
     }
     return out;
 }
 
-/// Half the mean square of the tips' speeds, cm^2/s^2: what a kinetic energy is made of.
+/// Half the mean square of the tips' speeds, cm^2/s^2: a measure of kinetic energy.
 double speeds(const std::vector<Vec3>& before, const std::vector<Vec3>& after,
               double eps) {
     double sum = 0;
@@ -64,7 +64,7 @@ double speeds(const std::vector<Vec3>& before, const std::vector<Vec3>& after,
 struct Struck {
     std::vector<Vec3> tips, rest;
     double peak = 0;     ///< of speeds()
-    double after[3]{};   ///< the largest beyond 0.2, 0.5 and 1 s after the stop
+    double after[3]{};   ///< maxima from 0.2, 0.5 and 1 s after the stop on
     double deepest = 0;  ///< cm, at any time
     std::size_t unsolved = 0;
 };
@@ -109,9 +109,8 @@ Struck strike(double steps_per_second) {
         moved = std::max(moved, (out.tips[g] - out.rest[g]).norm());
     }
     fmt::print(
-        "1/{} s: peak {:.3g} cm^2/s^2, later than 0.2, 0.5, 1 s {:.1e} {:.1e} "
-        "{:.1e} of it; deepest {:.3f} cm; tips moved up to "
-        "{:.2f} cm; unsolved {}\n",
+        "1/{} s: peak {:.3g} cm^2/s^2, after 0.2, 0.5, 1 s {:.1e} {:.1e} {:.1e} of it; "
+        "deepest {:.3f} cm; tips moved up to {:.2f} cm; unsolved {}\n",
         steps_per_second, out.peak, out.after[0] / out.peak, out.after[1] / out.peak,
         out.after[2] / out.peak, out.deepest, moved, out.unsolved);
     EXPECT_GT(moved, 1);
@@ -127,30 +126,30 @@ void expect_calm(const Struck& run) {
     EXPECT_EQ(run.deepest, 0);
 }
 
-TEST(Brush, FastSphereAtThirtyStepsASecondBouncesNothing) { expect_calm(strike(30)); }
+TEST(Brush, FastSphereAtThirtyStepsPerSecondDoesNotBounce) { expect_calm(strike(30)); }
 
-TEST(SlowBrush, EndsAlikeWithSmallSteps) {
+TEST(SlowBrush, SmallStepsEndInTheSameShape) {
     const Struck coarse = strike(30), middle = strike(128), fine = strike(480);
     expect_calm(middle);
     expect_calm(fine);
     const auto apart = [&](const Struck& run) {
-        double most = 0;
+        double largest = 0;
         for (std::size_t g = 0; g < fine.tips.size(); ++g) {
-            most = std::max(most, (run.tips[g] - fine.tips[g]).norm());
+            largest = std::max(largest, (run.tips[g] - fine.tips[g]).norm());
         }
-        return most;
+        return largest;
     };
     // At 1/30 s the sphere moves by more than its radius in a step, so that a bristle may
-    // pass it on another side: those are told, not bounded.
+    // pass it on another side: these are counted and printed, but not limited.
     int elsewhere = 0;
     for (std::size_t g = 0; g < fine.tips.size(); ++g) {
         elsewhere += (coarse.tips[g] - fine.tips[g]).norm() > 1;
     }
     fmt::print(
-        "from 1/480 s, the tip that is furthest off: 1/30 s {:.3f} cm ({} of {} "
-        "by more than 1 cm), 1/128 s {:.3f} cm\n",
+        "largest distance of a tip from 1/480 s: 1/30 s {:.3f} cm ({} of {} by more than "
+        "1 cm), 1/128 s {:.3f} cm\n",
         apart(coarse), elsewhere, fine.tips.size(), apart(middle));
-    // Less than the bristles are apart; friction keeps what the way there was.
+    // Less than the distance of the bristles; friction preserves differences of the path.
     EXPECT_LT(apart(middle), 0.5);
 }
 

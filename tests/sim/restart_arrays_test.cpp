@@ -9,7 +9,7 @@
 namespace lancret {
 namespace {
 
-/// A busy simulation in the midst of its movement.
+/// A busy simulation in the middle of its motion.
 struct Midway {
     BusyScene busy;
     Simulation simulation = busy.simulation();
@@ -23,7 +23,7 @@ struct Midway {
     }
 };
 
-TEST(RestartArrays, AreRefusedWhereOneIsMissingShortOrLong) {
+TEST(RestartArrays, MissingShortAndLongArraysAreRejected) {
     Midway midway;
     const RestartArrays arrays = midway.simulation.restart();
     midway.resumes(arrays);
@@ -47,7 +47,7 @@ TEST(RestartArrays, AreRefusedWhereOneIsMissingShortOrLong) {
     }
 }
 
-TEST(RestartArrays, AreRefusedWhereANumberCannotBe) {
+TEST(RestartArrays, InvalidNumbersAreRejected) {
     Midway midway;
     const RestartArrays arrays = midway.simulation.restart();
     const auto refuses = [&](const char* name, std::size_t at, double value) {

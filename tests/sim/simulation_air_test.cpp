@@ -7,7 +7,7 @@
 namespace lancret {
 namespace {
 
-/// A hair so soft that it stands in the air as a thread does, hanging from its root.
+/// A hair that hangs from its root; soft() makes it as limp as a thread.
 Guides thread() { return straight_guide(Vec3::Zero(), -Vec3::UnitY(), 10, 10); }
 
 SimulationSettings soft() {
@@ -25,10 +25,10 @@ TEST(SimulationAir, AThreadLeansIntoTheBalanceOfDragAndWeight) {
     const Guides rest = thread();
     Simulation simulation(rest, settings, scene_of(rest), 1);
     for (int frame = 0; frame < 24 * 8; ++frame) simulation.advance();
-    // Each centimetre feels nu w across and rho S g down, so a thread without stiffness
-    // is straight and leans by atan(nu w / rho S g). It turns into that from the clamped
-    // root within the first segment, 1 cm, at an even rate, which moves all beyond by
-    // half a centimetre times the lean, less what the segment may turn too far.
+    // The forces per centimetre are nu w across and rho S g down, so a thread without
+    // stiffness is straight and leans by atan(nu w / rho S g). From the clamped root it
+    // turns into that direction at a constant rate within the first segment, 1 cm, which
+    // displaces the rest by half a centimetre times the lean at most.
     const RodSection section =
         rod_section(settings.material, settings.dissipation, settings.damping);
     const double lean = std::atan(2e-4 * 200 / (section.linear_density * 981));
@@ -47,7 +47,7 @@ TEST(SimulationAir, WithoutDragThereIsNoWind) {
     EXPECT_TRUE(same_bits(a.back(), b.back()));
 }
 
-TEST(SimulationAir, ASwingDiesTheSoonerTheMoreDrag) {
+TEST(SimulationAir, MoreDragDampsASwingSooner) {
     Guides rest = straight_guide(Vec3::Zero(), {1, -1, 0}, 10, 10);
     double before = 1e9;
     for (const double drag : {0., 2e-4, 2e-3}) {
@@ -65,8 +65,8 @@ TEST(SimulationAir, ASwingDiesTheSoonerTheMoreDrag) {
     }
 }
 
-TEST(SimulationAir, AThreadFallsNoFasterThanDragLets) {
-    // Level, let go: its end falls towards rho S g / nu, which strong drag makes slow.
+TEST(SimulationAir, AThreadFallsAtItsTerminalVelocity) {
+    // Released level: its end approaches the speed rho S g / nu, low for strong drag.
     SimulationSettings settings = soft();
     settings.drag = 4e-3;
     settings.substeps = 8;
@@ -79,8 +79,8 @@ TEST(SimulationAir, AThreadFallsNoFasterThanDragLets) {
     for (std::size_t i = 6; i + 1 < frames.size(); ++i) {
         const double speed =
             (tip_of(frames[i], 0).y() - tip_of(frames[i + 1], 0).y()) * fps;
-        // Inertia is gone after rho S / nu = 0.016 s; after 0.25 s the tip still is
-        // level and far from the root's pull: it falls freely, to a few per cent.
+        // Inertia has decayed after rho S / nu = 0.016 s; after 0.25 s the tip is still
+        // level and not yet held by the root: it falls freely, to a few per cent.
         EXPECT_NEAR(speed, terminal, 0.05 * terminal) << i;
     }
 }

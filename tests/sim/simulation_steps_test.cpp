@@ -1,4 +1,4 @@
-// Substeps: what halving costs and gains.
+// Substeps and their adaptive halving.
 
 #include <gtest/gtest.h>
 
@@ -37,13 +37,14 @@ TEST(SimulationSteps, ImplicitEulerIsOfFirstOrderInSubstepsAndBdf2OfSecond) {
         }
         return std::log2(tip_distance(runs[0], runs[1]) / tip_distance(runs[1], runs[2]));
     };
-    // Observed orders of three runs: next orders add 0.2 or so at these steps. The root's
-    // acceleration jumps at the first key, which BDF2 meets with two steps of Euler.
+    // Observed orders of three runs; terms of the next order add about 0.2 at these
+    // steps. The root's acceleration jumps at the first key, where BDF2 starts with two
+    // steps of Euler.
     EXPECT_NEAR(order(Integrator::implicit_euler, 64), 1, 0.2);
     EXPECT_NEAR(order(Integrator::bdf2, 64), 2, 0.4);
 }
 
-TEST(SimulationSteps, TakenStepsKeepTheErrorsTolerance) {
+TEST(SimulationSteps, AcceptedStepsKeepTheErrorTolerance) {
     Turning turning;
     turning.settings.substeps = 1;
     turning.settings.max_halvings = 12;
@@ -61,7 +62,7 @@ TEST(SimulationSteps, TakenStepsKeepTheErrorsTolerance) {
         EXPECT_EQ(turning.report.unsolved, 0u);
         before = turning.report.steps;
     }
-    // Where halvings do not suffice it is said.
+    // If the halvings do not suffice, the report shows it.
     turning.settings.max_halvings = 1;
     turning.after(6);
     EXPECT_GT(turning.report.largest_error, 0.001);

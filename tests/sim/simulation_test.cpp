@@ -29,7 +29,7 @@ TEST(Simulation, RootsAreThoseOfTheHeadAndLengthsStay) {
     const SimulationReport report = simulation.take_report();
     EXPECT_EQ(report.unsolved, 0u);
     EXPECT_GE(report.steps, 24u * 2 * 14);
-    EXPECT_EQ(simulation.take_report().steps, 0u);  // taken
+    EXPECT_EQ(simulation.take_report().steps, 0u);  // reset by the call above
 }
 
 TEST(Simulation, SameBitsForAnyNumberOfThreads) {
@@ -50,7 +50,7 @@ TEST(Simulation, SameBitsForAnyNumberOfThreads) {
     }
 }
 
-/// Of contact anchors, how many touch; rows of 13 numbers, the second the body.
+/// The number of touching anchors: rows of 13 numbers, of which the second is the body.
 int touching(const RestartArrays& arrays) {
     int out = 0;
     const std::vector<double>& rows = arrays.at("anchors");
@@ -58,7 +58,7 @@ int touching(const RestartArrays& arrays) {
     return out;
 }
 
-TEST(Simulation, GoesOnFromAnyFrameToTheSameBits) {
+TEST(Simulation, ContinuesFromAnyFrameWithTheSameBits) {
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::bdf2}) {
         const BusyScene busy(integrator);
         Simulation whole = busy.simulation();
@@ -76,13 +76,13 @@ TEST(Simulation, GoesOnFromAnyFrameToTheSameBits) {
             const RestartArrays arrays = whole.restart();
             for (const double level : arrays.at("halvings")) halved += level > 0;
         }
-        // Or this would say little.
+        // Otherwise the test would prove little.
         EXPECT_GE(anchors, 3);
         EXPECT_GT(halved, 10);
     }
 }
 
-TEST(Simulation, ResetGoesBackAndThenTheSameWay) {
+TEST(Simulation, ResetReturnsToTheStartAndRepeats) {
     const BusyScene busy;
     Simulation simulation = busy.simulation();
     const Guides begun = simulation.guides();
@@ -98,7 +98,7 @@ TEST(Simulation, ResetGoesBackAndThenTheSameWay) {
     simulation.advance();
     EXPECT_TRUE(same_bits(simulation.guides(), later));
 
-    // From a state that was set, at rest there.
+    // From a state that was set; it is at rest.
     simulation.set_initial();
     simulation.advance();
     simulation.reset();
@@ -106,21 +106,21 @@ TEST(Simulation, ResetGoesBackAndThenTheSameWay) {
     EXPECT_TRUE(same_bits(simulation.guides(), later));
 }
 
-TEST(Simulation, WithoutLoadWhatWasSetNaturalStays) {
+TEST(Simulation, ANaturalShapeStaysWithoutLoad) {
     const Guides guides = hanging_groom(6, 6, 10);
     SimulationSettings settings;
     settings.sag_free = false;
     settings.gravity.setZero();
     settings.drag = 0;
     Simulation simulation(guides, settings, scene_of(guides), 1);
-    // Bent by hand, and let go of: back to what it was made with.
+    // Bent and released: returns to the natural shape of the constructor.
     Guides bent = guides;
     for (Vec3& k : bent.curvatures) k += Vec3(0.02, 0.05, -0.03);
     const RestartArrays still = simulation.restart();
     simulation.resume(1, bent, still);
     simulation.advance();
     EXPECT_GT(tip_distance(bent, simulation.guides()), 0.01);
-    // Bent, said to be natural: stays to round-off, 1e-14 of the length a step.
+    // Bent and declared natural: stays to round-off, 1e-14 of the length per step.
     simulation.resume(1, bent, still);
     simulation.set_natural();
     EXPECT_TRUE(std::ranges::equal(simulation.natural(), bent.curvatures));
@@ -128,7 +128,7 @@ TEST(Simulation, WithoutLoadWhatWasSetNaturalStays) {
     EXPECT_LT(tip_distance(bent, simulation.guides()), 1e-11);
 }
 
-TEST(Simulation, SimulateGivesEveryFrameFromTheFirst) {
+TEST(Simulation, SimulateReturnsEveryFrameFromTheFirst) {
     const BusyScene busy;
     Simulation simulation = busy.simulation();
     SimulationScene scene = scene_of(busy.guides, busy.keys);
@@ -143,7 +143,7 @@ TEST(Simulation, SimulateGivesEveryFrameFromTheFirst) {
                  std::invalid_argument);
 }
 
-TEST(Simulation, RefusesWhatMakesNoSense) {
+TEST(Simulation, RejectsInvalidSettings) {
     const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
     const Guides guides = hanging_groom(2, 3, 5);
     const auto refuses = [&](auto&& change) {

@@ -18,7 +18,7 @@ inline Mat3 frame_along(const Vec3& along, const Vec3& up = Vec3::UnitZ()) {
     return out;
 }
 
-/// Adds a guide of equal segments.
+/// Adds a guide with segments of equal length.
 inline void add_guide(Guides& guides, const Vec3& root, const Mat3& frame, double length,
                       const std::vector<Vec3>& curvatures) {
     guides.segments = int(curvatures.size());
@@ -30,7 +30,7 @@ inline void add_guide(Guides& guides, const Vec3& root, const Mat3& frame, doubl
     }
 }
 
-/// A straight guide of `segments` along `along`.
+/// A straight guide along `along`.
 inline Guides straight_guide(const Vec3& root, const Vec3& along, double length,
                              int segments) {
     Guides out;
@@ -39,8 +39,8 @@ inline Guides straight_guide(const Vec3& root, const Vec3& along, double length,
     return out;
 }
 
-/// Wavy guides that stand out of the sphere of radius 8 about the origin and then hang
-/// down, all round it.
+/// Wavy guides all around the sphere of radius 8 about the origin: they stand out at the
+/// roots and then hang down.
 inline Guides hanging_groom(int count, int segments, double length, double curl = 0.4) {
     Guides out;
     std::mt19937_64 random(11);
@@ -51,7 +51,7 @@ inline Guides hanging_groom(int count, int segments, double length, double curl 
         std::vector<Vec3> k;
         HelixState<double> at{frame_along(start), 8 * normal};
         for (int q = 0; q < segments; ++q) {
-            // Bent towards a place further down and outwards by as much as it takes.
+            // Bends towards a direction that is mostly down and a little outwards.
             const Vec3 way = q < 2 ? normal : Vec3(0.15 * normal - Vec3(0, 1, 0));
             const Vec3 t = at.frame.col(0);
             const Vec3 turned = t.cross(way.normalized());
@@ -66,7 +66,7 @@ inline Guides hanging_groom(int count, int segments, double length, double curl 
     return out;
 }
 
-/// A scene that stands still, or moves by `keys`.
+/// A scene whose head moves by `keys`, or stands still without them.
 inline SimulationScene scene_of(const Guides& guides, std::vector<PoseKey> keys = {}) {
     if (keys.empty()) keys.push_back({});
     SimulationScene out{make_rigid_path(keys, Vec3::Zero(), 24), {}, 24, {}, {}};
@@ -103,8 +103,8 @@ inline bool same_bits(const Guides& a, const Guides& b) {
            a.segment_lengths == b.segment_lengths && a.curvatures == b.curvatures;
 }
 
-/// Everything at once: a head that shakes, contact with friction, hair on hair, gusts,
-/// and steps that are halved.
+/// All features at once: a shaking head, contact with friction, contact between strands,
+/// gusts, and steps that are halved.
 struct BusyScene {
     Guides guides = hanging_groom(24, 6, 9);
     SimulationSettings settings;

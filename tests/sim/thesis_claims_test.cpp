@@ -1,4 +1,4 @@
-// What [Bergbom07] claims of its steps, in hair's own units.
+// The claims of [Bergbom07] about its time steps, in the units of hair.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -43,9 +43,10 @@ HangingEnergy potential(const HangingRod& rod, const RodRun& run) {
 }
 
 TEST(ThesisClaims, QuarterSecondStepDoesNotOscillate) {
-    // A step that oscillates sends the tip to and fro: each step reverses the one before.
-    // A rod that swings too far and comes back reverses once, and goes on so. So what
-    // must not be is a reversal right after a reversal; and reversed steps are small.
+    // An oscillating step sends the tip back and forth: each step reverses the one
+    // before. A rod that overshoots and comes back reverses once and then keeps its
+    // direction. So there must be no reversal right after a reversal, and reversed steps
+    // must be small.
     for (const double length : {5., 10., 20., 30.}) {
         for (const Vec3& natural : {Vec3(0, 0, 0), Vec3(0.2, 0, 0.5)}) {
             const HangingRod rod = hair(length, natural, 0.05);
@@ -79,7 +80,7 @@ TEST(ThesisClaims, QuarterSecondStepDoesNotOscillate) {
     }
 }
 
-/// A released straight hair: the largest second difference of the tip's place and the
+/// A released straight hair: the largest second difference of the tip's position and the
 /// largest loss of energy in a step.
 struct Smoothness {
     double second_difference = 0, loss = 0, out_of_plane = 0;
@@ -109,10 +110,10 @@ Smoothness released(const Vec3& natural, double eps) {
 }
 
 TEST(ThesisClaims, StraightStrandRunsWithoutATwitch) {
-    // A twitch is a jump: of the acceleration, so that second differences do not shrink
-    // by 4 where the step is halved; or of the energy, so that the largest loss does not
-    // shrink by 2. Strong damping keeps the motion smooth, so both do, to first order in
-    // the step.
+    // A twitch is a jump of the acceleration, so that second differences do not shrink by
+    // 4 when the step is halved, or of the energy, so that the largest loss does not
+    // shrink by 2. Strong damping keeps the motion smooth, so both shrink, to first order
+    // in the step.
     const Smoothness coarse = released(Vec3::Zero(), 1. / 960);
     const Smoothness fine = released(Vec3::Zero(), 1. / 1920);
     const double shrinks = coarse.second_difference / fine.second_difference;
@@ -122,12 +123,12 @@ TEST(ThesisClaims, StraightStrandRunsWithoutATwitch) {
         coarse.second_difference, fine.second_difference, coarse.loss, fine.loss);
     EXPECT_NEAR(shrinks, 4, 0.4);
     EXPECT_NEAR(coarse.loss / fine.loss, 2, 0.2);
-    // The motion is in the plane of the root and gravity; nothing leads out of it.
+    // The motion stays in the plane of the root and gravity.
     EXPECT_LT(coarse.out_of_plane, 1e-10);
 
-    // Natural curvatures of 1e-6 change no more than their share. Bent by c, a strand's
-    // tip is c L^2 / 2 off: 1.1e-4 cm, and as its weight stretches and carries that about
-    // the motion differs by a multiple of that.
+    // Natural curvatures of c = 1e-6 have a proportionally small effect: they move the
+    // tip by c L^2 / 2 = 1.1e-4 cm, and gravity and motion multiply that by a small
+    // factor.
     const Smoothness bent = released(Vec3(1e-6, 1e-6, 1e-6), 1. / 960);
     double apart = 0;
     for (std::size_t i = 0; i < bent.tips.size(); ++i) {
@@ -140,15 +141,15 @@ TEST(ThesisClaims, StraightStrandRunsWithoutATwitch) {
                 1e-3 * coarse.second_difference);
 }
 
-/// No hair is so heavy: one of 30 cm and 0.002 cm radius has a gamma of 860. Nothing
-/// proves that implicit Euler cannot gain energy where that is not convex; beyond this
-/// weight a segment may turn by whole turns in a step, and where the iterations end
-/// before the minimum is reached a little is gained.
+/// Heavier than any hair: one of 30 cm and 0.002 cm radius has a gamma of 860. There is
+/// no proof that implicit Euler cannot gain energy where the energy is not convex. Beyond
+/// this weight a segment may turn by whole turns in a step, and a little energy is gained
+/// if the iterations end before they reach the minimum.
 constexpr double kHeavy = 1e4;
 
 struct SweepResult {
     int runs = 0, steps = 0, unsolved = 0, grew = 0, unfinished = 0, unconverged = 0;
-    int heavy_runs = 0, heavy_grew = 0;  ///< those of gamma above kHeavy
+    int heavy_runs = 0, heavy_grew = 0;  ///< hairs with gamma above kHeavy
     double largest_rise = 0, heavy_rise = 0;
     double min_gamma = 1e300, max_gamma = 0;
 };
@@ -175,8 +176,8 @@ void sweep_one(const HangingRod& rod, double eps, SweepResult& out) {
             ++out.unfinished;
             return;
         }
-        // A dozen iterations may each let the sum that is minimised rise by 1e-13 of
-        // itself; over eps^2 that sum is the energies and the square of a free fall.
+        // Each of a dozen iterations may let the minimised sum rise by 1e-13 of itself.
+        // Divided by eps^2, that sum is the energies and the square of a free fall.
         const double sum = now.elastic + run.report.kinetic + weight * length * length +
                            weight * g * eps * eps * length;
         const double rise = (total - before) / sum;
@@ -215,10 +216,9 @@ SweepResult sweep(int stride) {
         }
     }
     fmt::print(
-        "{} hairs, {} steps, gamma {:.1e} to {:.1e}: {} steps unsolved, {} not "
-        "finite, {} gained energy (largest rise {:.1e} of the energies), {} ended "
-        "above the tolerance; of those, of the {} hairs above gamma 1e4, {} gained "
-        "energy, up to {:.1e}\n",
+        "{} hairs, {} steps, gamma {:.1e} to {:.1e}: {} steps unsolved, {} not finite, "
+        "{} gained energy (largest relative rise {:.1e}), {} ended above the tolerance; "
+        "among those, of the {} hairs above gamma 1e4, {} gained energy, up to {:.1e}\n",
         out.runs, out.steps, out.min_gamma, out.max_gamma, out.unsolved, out.unfinished,
         out.grew, out.largest_rise, out.unconverged, out.heavy_runs, out.heavy_grew,
         out.heavy_rise);

@@ -18,22 +18,22 @@ WindSettings gusts(std::uint64_t seed) {
     return s;
 }
 
-struct Place {
+struct Event {
     Vec3 x;
     double t;
 };
 
-/// Uniform over ranges of hundreds of the largest wavelength and period.
-Place random_sample(std::mt19937& random) {
+/// Uniform over ranges of hundreds of the largest wavelengths and periods.
+Event random_event(std::mt19937& random) {
     std::uniform_real_distribution<double> coordinate(-5000, 5000), time(0, 100);
     return {{coordinate(random), coordinate(random), coordinate(random)}, time(random)};
 }
 
-TEST(Wind, MeanAndStrengthAreAsAsked) {
-    // Means over independent places and times. Each is within 4.5 of its standard errors
-    // but once in 1.5e5; of 20 seeds with 4 means each, one fails in 1,800 runs with
-    // other random numbers. A box of 10^4 cm and 100 s leaves a wave of l cm a mean of at
-    // most l / (pi 10^4): 1e-3 of an amplitude, far below the error at this count.
+TEST(Wind, MeanAndStrengthAreThoseOfTheSettings) {
+    // Means over independent positions and times. Each is beyond 4.5 standard errors once
+    // in 1.5e5; with 20 seeds of 4 means each, one fails in 1,800 runs with other random
+    // numbers. In a box of 10^4 cm and 100 s the mean of a wave of l cm is at most
+    // l / (pi 10^4): 1e-3 of its amplitude, far below the error at this count.
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const WindSettings settings = gusts(seed);
         const Wind wind = make_wind(settings);
@@ -42,7 +42,7 @@ TEST(Wind, MeanAndStrengthAreAsAsked) {
         double strength = 0, fourth = 0;
         constexpr int kCount = 10000;
         for (int i = 0; i < kCount; ++i) {
-            const auto [x, t] = random_sample(random);
+            const auto [x, t] = random_event(random);
             const Vec3 v = wind_velocity(wind, x, t) - settings.mean;
             sum += v;
             squares += v.cwiseAbs2();
@@ -60,8 +60,8 @@ TEST(Wind, MeanAndStrengthAreAsAsked) {
 }
 
 TEST(Wind, StrengthIsTheSameInEachDirectionOverSeeds) {
-    // Over seeds the mean square along an axis is a third of the whole. Seeds are
-    // independent, so the standard error is that of their means.
+    // Over many seeds the mean square along an axis is a third of the total. Seeds are
+    // independent, so the standard error is that of their mean.
     double sum[3] = {}, squares[3] = {};
     constexpr int kSeeds = 2000;
     for (int seed = 0; seed < kSeeds; ++seed) {
@@ -88,7 +88,7 @@ TEST(Wind, HasNoDivergence) {
     for (const WindWave& w : wind.waves) amplitudes += w.amplitude.norm();
     const double tolerance = amplitudes * (h * h * k * k * k / 6 + 4e-12 / h);
     for (int i = 0; i < 200; ++i) {
-        const auto [x, t] = random_sample(random);
+        const auto [x, t] = random_event(random);
         double divergence = 0;
         for (int c = 0; c < 3; ++c) {
             const Vec3 step = h * Vec3::Unit(c);
@@ -104,7 +104,7 @@ TEST(Wind, HasNoDivergence) {
 }
 
 TEST(Wind, GustsAreCarriedByTheMeanWind) {
-    // One who drifts with the mean sees each octave at its own period alone.
+    // Seen drifting with the mean wind, an octave repeats with its period.
     WindSettings settings = gusts(3);
     settings.octaves = 1;
     const Wind wind = make_wind(settings);
@@ -137,7 +137,7 @@ TEST(Wind, WithoutTurbulenceIsItsMean) {
     EXPECT_EQ(wind_velocity(wind, {4, 5, 6}, 7), settings.mean);
 }
 
-TEST(Wind, RejectsWhatIsNoWind) {
+TEST(Wind, RejectsInvalidSettings) {
     const double nan = std::nan("");
     const auto rejects = [](auto&& change) {
         WindSettings settings = gusts(1);

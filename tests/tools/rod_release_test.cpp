@@ -1,4 +1,4 @@
-// lancret rod --release as a user runs it.
+// Runs `lancret rod --release`.
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -41,10 +41,10 @@ TEST(RodRelease, SamplesEnergyFromTheFirstMomentToTheLast) {
     }
     const double depth = energy.front()["total"].get<double>() -
                          run["equilibrium"]["energy"]["total"].get<double>();
-    // All steps are looked at, not only the samples.
+    // The drift covers all steps, not only the samples.
     EXPECT_GE(run["energy_drift"], largest / depth * (1 - 1e-12));
-    // BDF2 loses (omega eps)^3 omega / 2 of a mode's energy each unit of time: 5e-4
-    // in 2.5 where omega is 25, that of the second mode. Implicit Euler loses 7e-2 in 1.
+    // BDF2 loses (omega eps)^3 omega / 2 of a mode's energy per unit of time: 5e-4 in 2.5
+    // for omega = 25, that of the second mode. Implicit Euler loses 7e-2 in 1.
     EXPECT_LT(run["energy_drift"], 5e-4);
 }
 
@@ -64,7 +64,7 @@ TEST(RodRelease, WeightlessRodStaysAndHasNoDrift) {
     EXPECT_EQ(run["tip"], run["equilibrium"]["tip"]);
 }
 
-TEST(RodRelease, DivergenceOfTheSemiImplicitStepIsTold) {
+TEST(RodRelease, DivergenceOfTheSemiImplicitStepIsReported) {
     const nlohmann::json run =
         release_json({"3", "--dt", "0.1", "--integrator", "semi-implicit"}, "5000", 1);
     EXPECT_EQ(run["finished"], false);
@@ -81,7 +81,7 @@ TEST(RodRelease, PictureIsDrawn) {
     EXPECT_GT(read_bytes(file).size(), 5000u);
 }
 
-TEST(RodRelease, MisuseIsRefused) {
+TEST(RodRelease, MisuseIsRejected) {
     EXPECT_THAT(lancret({"rod", "--release", "1"}), refuses_with("--dt"));
     EXPECT_THAT(lancret({"rod", "--dt", "1"}), refuses_with("--release"));
     EXPECT_THAT(lancret({"rod", "--damping", "1"}), refuses_with("--release"));

@@ -1,4 +1,4 @@
-// lancret rod as a user runs it.
+// Runs `lancret rod`.
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -31,19 +31,19 @@ TEST(RodCommand, DefaultsAreAWeightlessHorizontalRod) {
 }
 
 TEST(RodCommand, HeavyElasticaIsTheReferenceToSecondOrder) {
-    // The drop at gamma 10 is 0.7001997155; 40 segments miss it by 1.06e-4, a quarter of
-    // what 20 miss.
-    const auto miss = [](const char* segments) {
+    // The drop at gamma 10 is 0.7001997155; 40 segments are off by 1.06e-4, a quarter of
+    // the error of 20.
+    const auto error = [](const char* segments) {
         const nlohmann::json rod = rod_json({"--gamma", "10", "--segments", segments});
         return rod["lowest"].get<double>() + 0.7001997155;
     };
-    const double coarse = miss("20"), fine = miss("40");
+    const double coarse = error("20"), fine = error("40");
     EXPECT_NEAR(coarse / fine, 4, 0.05);
     EXPECT_NEAR(fine, 1.06e-4, 1e-6);
 }
 
 TEST(RodCommand, RingHangsAtItsReference) {
-    // Its error falls as N^-2: 4.2e-5 of 40 segments, checked by the library's tests.
+    // The error falls as N^-2: 4.2e-5 for 40 segments, as in the tests of the library.
     const nlohmann::json rod =
         rod_json({"--gamma", "100", "--natural", "0,0,6.283185307179586",
                   "--root-tangent=0,0,-1", "--root-normal", "1,0,0", "--segments", "40"});
@@ -54,7 +54,7 @@ TEST(RodCommand, RingHangsAtItsReference) {
 }
 
 TEST(RodCommand, ModesAndBucklingAreWritten) {
-    // What 20 segments make of 3.516015 (+0.05 %), in both planes, and of 7.837347.
+    // The values of 20 segments for 3.516015 (+0.05 %), in both planes, and 7.837347.
     const nlohmann::json rod =
         rod_json({"--root-tangent", "0,0,1", "--modes", "4", "--buckling"});
     ASSERT_EQ(rod["modes"].size(), 4u);
@@ -80,7 +80,7 @@ TEST(RodCommand, PictureIsWritten) {
     EXPECT_THAT(read_bytes(file), testing::StartsWith("\x89PNG"));
 }
 
-TEST(RodCommand, SaysTheSameTwice) {
+TEST(RodCommand, PrintsTheSameTwice) {
     const std::vector<std::string> words = {
         "rod", "--gamma",        "30",     "--natural", "0,0,6.283", "--modes",
         "5",   "--root-tangent", "0,0,-1", "--buckling"};
@@ -90,23 +90,25 @@ TEST(RodCommand, SaysTheSameTwice) {
 }
 
 TEST(BadRodOption, IsNamedInOneLine) {
-    const auto says = [](const char* option, const char* value) {
+    const auto rejects = [](const char* option, const char* value) {
         EXPECT_THAT(lancret({"rod", option, value}), refuses_with(option)) << value;
     };
-    for (const char* gamma : {"-1", "nan", "inf", "1e7", "ten"}) says("--gamma", gamma);
-    for (const char* count : {"0", "201", "2.5"}) says("--segments", count);
+    for (const char* gamma : {"-1", "nan", "inf", "1e7", "ten"})
+        rejects("--gamma", gamma);
+    for (const char* count : {"0", "201", "2.5"}) rejects("--segments", count);
     for (const char* natural : {"1,2", "1,2,3,4", "nan,0,0", "0,0,1e5"}) {
-        says("--natural", natural);
+        rejects("--natural", natural);
     }
     for (const char* tangent : {"0,0,0", "inf,0,0", "1,,0"}) {
-        says("--root-tangent", tangent);
+        rejects("--root-tangent", tangent);
     }
-    for (const char* normal : {"1,0,0", "-2,0,0", "0,0,0"}) says("--root-normal", normal);
+    for (const char* normal : {"1,0,0", "-2,0,0", "0,0,0"})
+        rejects("--root-normal", normal);
     for (const char* ratio : {"0", "-1", "nan"}) {
-        says("--torsion-ratio", ratio);
-        says("--bending-ratio", ratio);
+        rejects("--torsion-ratio", ratio);
+        rejects("--bending-ratio", ratio);
     }
-    for (const char* modes : {"0", "-3"}) says("--modes", modes);
+    for (const char* modes : {"0", "-3"}) rejects("--modes", modes);
     EXPECT_THAT(lancret({"rod", "--json", "/no/such/folder/a.json"}),
                 refuses_with("/no/such/folder"));
     EXPECT_THAT(lancret({"rod", "-o", "rod.bmp"}), refuses_with("rod.bmp", ".png"));

@@ -1,5 +1,5 @@
 #pragma once
-// Simulations so small that a run is done in a second.
+// Simulations so small that a run takes about a second.
 
 #include <nlohmann/json.hpp>
 
@@ -13,8 +13,8 @@ inline nlohmann::json json_of(const std::string& file) {
     return nlohmann::json::parse(read_bytes(file));
 }
 
-/// SmallGrooms with groom.toml: the made head, which turns and nods, gusts, and a body
-/// that the hair runs into.
+/// SmallGrooms with groom.toml: the made head, which turns and nods, gusts, and a body in
+/// the way of the hair.
 struct MovingGroom : SmallGrooms {
     static constexpr const char* kText =
         "[guides]\nsegments = 6\n[guides.made]\nstrands = 40\n"

@@ -60,7 +60,7 @@ TEST(Simulate, MakesACacheWhoseFramesPassTheCheckAndShowTheHeadsMotion) {
     EXPECT_NE(read_bytes(f / "1.png"), read_bytes(f / "6.png"));
 }
 
-TEST(Simulate, KilledAtAnyMomentAndContinuedComesToTheSameBytes) {
+TEST(Simulate, KilledAtAnyMomentAndContinuedWritesTheSameBytes) {
     const MovingGroom f;
     const std::string whole = f.at("whole.h5");
     const auto begun = std::chrono::steady_clock::now();
@@ -71,14 +71,14 @@ TEST(Simulate, KilledAtAnyMomentAndContinuedComesToTheSameBytes) {
     std::vector<std::string> words = f.words("1-80", f.cache);
     words.insert(words.begin(), LANCRET_COMMAND);
     int kills = 0, rounds = 0, frames = 0;
-    // Each time after a random part of what the whole takes, the first time at once.
+    // Kills each run after a random part of the whole duration, the first at once.
     for (; rounds < 60 && kills < 14; ++rounds) {
         const auto after = std::chrono::microseconds(
             1 +
             random() % std::uint64_t(takes.count() / 4 + takes.count() * rounds / 40));
         const CommandRun run = run_words(words, after);
         if (run.exit_code == 0) {
-            // Done: from the first again, for the kills that are left.
+            // Finished: starts over for the remaining kills.
             EXPECT_EQ(read_bytes(f.cache), read_bytes(whole));
             std::filesystem::remove(f.cache);
             continue;
@@ -92,13 +92,13 @@ TEST(Simulate, KilledAtAnyMomentAndContinuedComesToTheSameBytes) {
         }
     }
     EXPECT_GE(kills, 10);
-    EXPECT_GT(frames, 0);  // kills hit the run, not the start of the command alone
+    EXPECT_GT(frames, 0);  // kills hit the run, not only the start of the command
     ASSERT_THAT(f.simulate("1-80", f.cache), works());
     EXPECT_EQ(read_bytes(f.cache), read_bytes(whole));
     EXPECT_FALSE(std::filesystem::exists(f.cache + ".frames"));
 }
 
-TEST(Simulate, ALongerRunGoesOnFromAFinishedOne) {
+TEST(Simulate, ALongerRunContinuesAFinishedOne) {
     const MovingGroom f;
     const std::string whole = f.at("whole.h5");
     ASSERT_THAT(f.simulate("1-16", whole), works());
@@ -108,14 +108,14 @@ TEST(Simulate, ALongerRunGoesOnFromAFinishedOne) {
     EXPECT_THAT(more.err, HasSubstr("continuing after frame 8"));
     EXPECT_THAT(more.out, HasSubstr("8 simulated"));
     EXPECT_EQ(read_bytes(f.cache), read_bytes(whole));
-    // The same again, and a shorter one, change nothing.
+    // The same run again, and a shorter one, change nothing.
     for (const char* frames : {"1-16", "1-4"}) {
         ASSERT_THAT(f.simulate(frames, f.cache), works());
         EXPECT_EQ(read_bytes(f.cache), read_bytes(whole));
     }
 }
 
-TEST(Simulate, OtherSettingsWantRestartWhereARunIsUnderWay) {
+TEST(Simulate, OtherSettingsNeedRestartWhileARunIsUnfinished) {
     const MovingGroom f;
     std::vector<std::string> words = f.words("1-2000", f.cache);
     words.insert(words.begin(), LANCRET_COMMAND);
@@ -139,7 +139,7 @@ TEST(Simulate, OtherSettingsWantRestartWhereARunIsUnderWay) {
     EXPECT_EQ(read_bytes(f.cache), read_bytes(alone));
 }
 
-TEST(Simulate, OneThreadMakesTheSameBytes) {
+TEST(Simulate, OneThreadWritesTheSameBytes) {
     const MovingGroom f;
     const std::string one = f.at("one.h5");
     ASSERT_THAT(f.simulate("1-10", f.cache), works());
@@ -151,7 +151,7 @@ TEST(Simulate, OneThreadMakesTheSameBytes) {
     EXPECT_EQ(read_bytes(one), read_bytes(f.cache));
 }
 
-/// Four OBJ files of the lawn's scalp, which bulges more in each.
+/// Writes four OBJ files of the lawn's scalp that bulge more and more.
 void write_bulging(const SmallGrooms& f, const char* name) {
     const TriangleMesh rest = square_mesh(4, 3);
     for (int frame = 1; frame <= 4; ++frame) {
@@ -188,7 +188,7 @@ TEST(Simulate, RootsFollowAHeadOfObjFiles) {
     EXPECT_LT(moved, 0.9 + 1e-6);
     ASSERT_THAT(lancret({"preview", cache, "--frame", "4", "-o", f.at("a.png")}),
                 works());
-    // A file that is not there is named.
+    // A missing file is named.
     std::filesystem::remove(f / "head.0003.obj");
     EXPECT_THAT(lancret({"simulate", groom, "--frames", "1-6", "--restart", "-o",
                          f.at("other.h5")}),
@@ -197,7 +197,7 @@ TEST(Simulate, RootsFollowAHeadOfObjFiles) {
 
 TEST(Simulate, EveryShapeOfColliderKeepsHairOut) {
     const SmallGrooms f;
-    // The lawn stands on a table that tilts; bodies come at it from the side.
+    // Bodies approach the lawn from the side.
     TriangleMesh ball = sphere_mesh(8);
     for (Vec3f& p : ball.positions) p = 1.5f * p + Vec3f(-3, 2, 3);
     write_obj(f / "ball.obj", ball);
@@ -227,8 +227,8 @@ TEST(Simulate, EveryShapeOfColliderKeepsHairOut) {
                              stats}),
                     works())
             << name;
-        // 1.5 cm deep at 24 cm/s without contact: with it, a part of the thickness that
-        // the penalty gives way by at such speeds.
+        // Without contact it would be 1.5 cm; with it, less than the part of the
+        // thickness by which the penalty yields at such speeds.
         EXPECT_LT(json_of(stats)["deepest_penetration_cm"], 0.1) << name;
         EXPECT_EQ(json_of(stats)["unsolved_steps"], 0) << name;
         const double moved =

@@ -25,12 +25,12 @@ TEST(Penalty, IsBergbomsForceAndTheDerivativeOfItsEnergy) {
         };
         const Vec3 slope = finite_difference(value, d, 1e-4);
         const Penalty p = penalty(d, k, reg);
-        // Polynomials of degree 3 at most: what is left is round-off, 3e-16 of the value
-        // over the step.
+        // Polynomials of degree at most 3: the only error is round-off, 3e-16 of the
+        // value divided by the step.
         EXPECT_NEAR(slope[0], p.force, 1e-11 * (1 + value(d)[0]) * k) << d;
         EXPECT_NEAR(slope[1], p.stiffness, 1e-11 * (1 + value(d)[1]) * k) << d;
     }
-    // C1 in force: nothing jumps where the forms meet.
+    // The pieces meet without a jump.
     const Penalty below = penalty(reg, k, reg),
                   above = penalty(reg * (1 + 1e-15), k, reg);
     EXPECT_NEAR(below.energy, above.energy, 1e-12 * below.energy);
@@ -38,7 +38,7 @@ TEST(Penalty, IsBergbomsForceAndTheDerivativeOfItsEnergy) {
     EXPECT_NEAR(below.stiffness, above.stiffness, 1e-12 * below.stiffness);
 }
 
-/// A rod of four segments and all that its contact asks for.
+/// A rod of four segments with all inputs of its contact.
 struct Touching {
     TestRod rod;
     Colliders colliders;
@@ -71,14 +71,14 @@ struct Touching {
                });
     }
 
-    /// The contact's energy at `q`, and its generalised force.
+    /// The energy of the contact at `q`, and its generalised force.
     double energy(const std::vector<Vec3>& q, std::vector<Vec3>* force = nullptr) {
         PointLayout layout;
         layout.lay_out(rod.lengths, q);
         PointVectors targets;
         std::vector<Vec3> joints;
         point_positions(rod.lengths, rod.root.pose, q, layout, targets, joints);
-        RodSystem system;  // whose own springs are at rest, and of strength 0
+        RodSystem system;  // with springs of strength 0
         system.linearize(rod.root.pose, rod.lengths, q, layout, targets, 0);
         std::vector<ContactAnchor> kept = anchors;
         RodContact contact(colliders, settings, strands);
@@ -91,13 +91,13 @@ struct Touching {
         return out;
     }
 
-    /// Force is minus the energy's slope, along random directions. The penalty's third
-    /// derivative jumps, which costs k h^2 / (6 reg) at most where a station is within h
-    /// of a jump: 1e-6 here. Round-off is 1e-15 of the energy over h.
-    void expect_force_is_slope(double least_energy) {
+    /// Expects that the force is minus the slope of the energy along random directions.
+    /// The penalty's third derivative jumps, with an error of at most k h^2 / (6 reg) for
+    /// a station within h of a jump: 1e-6 here. Round-off is 1e-15 of the energy over h.
+    void expect_force_is_slope(double min_energy) {
         std::vector<Vec3> force;
         const double here = energy(rod.curvatures, &force);
-        EXPECT_GT(here, least_energy);
+        EXPECT_GT(here, min_energy);
         std::mt19937_64 random(3);
         for (int round = 0; round < 8; ++round) {
             std::vector<Vec3> way;
@@ -117,7 +117,7 @@ struct Touching {
     }
 };
 
-/// What each station would be held to: beside it, on its level, pressed.
+/// Gives each station an anchor at its depth, displaced by up to `slide`.
 void hold(Touching& t, double slide, double pressure) {
     std::mt19937_64 random(9);
     for (std::size_t i = 0; i < t.anchors.size(); ++i) {
@@ -133,13 +133,13 @@ TEST(RodContact, ForceOnABodyIsTheSlopeOfItsEnergy) {
     for (int seed = 0; seed < 6; ++seed) {
         Touching sphere(seed), box(seed);
         const Vec3 tip = sphere.positions.back();
-        const Vec3 centre = tip + Vec3(0.3, 0.2, 0.1);  // in none of the stations
+        const Vec3 centre = tip + Vec3(0.3, 0.2, 0.1);  // not at a station
         sphere.colliders.add(Capsule{centre, centre, 0.6});
         box.colliders.add(box_mesh({9, 9, 9}), {Mat3::Identity(), tip - Vec3(9, 0, 0)});
         for (Touching* t : {&sphere, &box}) {
             SCOPED_TRACE(t == &box ? "box" : "sphere");
             t->expect_force_is_slope(0.1);
-            // Sticks: springs of k, well within friction. Slips: beyond.
+            // First stick, with springs well within the friction limit; then slip.
             hold(*t, 0.001, 100);
             t->expect_force_is_slope(0.1);
             hold(*t, 0.2, 2);
@@ -148,7 +148,7 @@ TEST(RodContact, ForceOnABodyIsTheSlopeOfItsEnergy) {
     }
 }
 
-TEST(RodContact, WhatTheGroomLiesInDoesNotPush) {
+TEST(RodContact, InitialDepthDoesNotPush) {
     Touching t(1);
     t.colliders.add(Capsule{t.positions.back(), t.positions.back(), 0.6});
     for (std::size_t i = 0; i < t.positions.size(); ++i) {
@@ -156,7 +156,7 @@ TEST(RodContact, WhatTheGroomLiesInDoesNotPush) {
             0., t.settings.thickness - t.colliders.nearest(t.positions[i], 1).distance);
     }
     EXPECT_LT(t.energy(t.rod.curvatures), 1e-30);
-    // And begins to where it goes deeper: to the last station's push along its own path.
+    // Where the strand goes deeper, it is pushed.
     t.rod.root.pose.position = t.positions.back() - t.positions[12];
     EXPECT_GT(t.energy(t.rod.curvatures), 1e-3);
 }
@@ -169,7 +169,7 @@ TEST(RodContact, ForceBetweenStrandsIsTheSlopeOfItsEnergy) {
         t.near.resize(t.positions.size() * RodContact::kMaxNear);
         t.counts.assign(t.positions.size(), 3);
         for (std::size_t i = 0; i < t.near.size(); ++i) {
-            // From within touching to beyond the well of cohesion.
+            // Distances from touching to beyond the well of cohesion.
             const Vec3 way = random_vector(random, 1).normalized();
             const double away = 0.02 + 0.45 * double(i % 17) / 17;
             t.near[i] = {t.positions[i / RodContact::kMaxNear] + away * way,
@@ -180,7 +180,7 @@ TEST(RodContact, ForceBetweenStrandsIsTheSlopeOfItsEnergy) {
     }
 }
 
-TEST(RodContact, CohesionIsAWellThatDoesNotEndInACliff) {
+TEST(RodContact, CohesionEnergyRisesAndThenStaysConstant) {
     Touching t(2);
     t.strands = {0.1, 20, 0, 0, 5};
     t.near.resize(t.positions.size() * RodContact::kMaxNear);
@@ -191,7 +191,7 @@ TEST(RodContact, CohesionIsAWellThatDoesNotEndInACliff) {
         t.near[7 * RodContact::kMaxNear] = {t.positions[7] + Vec3(0, 0, away),
                                             Vec3::Zero(), Vec3::UnitX(), 1};
         const double now = t.energy(t.rod.curvatures);
-        // Rises all the way out, then stays.
+        // Rises to the edge of the well, then stays constant.
         EXPECT_GE(now, before - 1e-15) << away;
         if (away > 0.401) {
             EXPECT_NEAR(now, before, 1e-15) << away;
@@ -219,26 +219,25 @@ TEST(RodContact, AnAnchorIsDraggedNoFurtherThanFrictionHolds) {
     contact.end(system);
     ContactAnchor& last = t.anchors.back();
     ASSERT_TRUE(last.touches());
-    EXPECT_LT((last.position - tip).norm(), 1e-12);  // new: nothing pulls
-    // Pulled 1 cm away: mu p / k is left, in the plane of the surface.
+    EXPECT_LT((last.position - tip).norm(), 1e-12);  // a new anchor has no slide
+    // Moved 1 cm away: it follows to mu p / k, in the plane of the surface.
     last.position += Vec3(0.6, 0.8, 0.3);
     contact.end(system);
     EXPECT_NEAR(last.position.z(), tip.z(), 1e-12);
     EXPECT_NEAR((last.position - tip).norm(),
                 t.settings.friction * last.pressure / t.settings.stiffness, 1e-12);
-    // Depth 0.12 of a thickness of 0.1 and 0.02 cm below the surface; the box is rounded
-    // to float.
+    // Depth 0.12: a thickness of 0.1 and 0.02 cm below the surface; the box is in float.
     EXPECT_NEAR(last.pressure, t.settings.stiffness * (0.12 - 0.01), 1e-2);
 }
 
-TEST(RodContact, RememberedDistancesChangeNothing) {
-    // A strand that swings past a turning box and a ball that comes and goes: asked anew
-    // in each step, or only where something may have come near.
+TEST(RodContact, ClearancesDoNotChangeResults) {
+    // A strand that swings past a turning box and a ball that comes and goes, with
+    // queries at every step or only if something may have come near.
     for (const bool open : {false, true}) {
         Touching t(2);
         const Vec3 tip = t.positions.back();
         TriangleMesh box = box_mesh({0.4, 0.4, 0.4});
-        if (open) box.triangles.resize(box.triangles.size() - 2);  // a side is missing
+        if (open) box.triangles.resize(box.triangles.size() - 2);  // one side is missing
         t.colliders.add(box, {Mat3::Identity(), tip});
         t.colliders.add(Capsule{Vec3::Zero(), Vec3::Zero(), 0.2});
         std::vector<Clearance> clearances(t.positions.size());

@@ -1,4 +1,4 @@
-// A strand that lies on a plate: depth by weight and penalty, and Coulomb's cone.
+// A strand on a plate: its depth under its weight, and the friction cone.
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kHalf = 20;  // of the plate's box, cm
 
-/// A hair of 12 cm along x that is clamped where it just touches a plate below it. The
-/// plate is level and gravity leans by `slope` towards y, which is the same as a slope.
-/// `big_ball`: a ball so large that it is flat to 0.001 cm under the hair.
+/// A hair of 12 cm along x, clamped where it just touches a plate below it. The plate is
+/// level and gravity is tilted by `slope` towards y, which is equivalent to a slope.
+/// `big_ball`: instead of the plate, a ball that is flat to 0.001 cm under the hair.
 struct Plate {
     SimulationSettings settings;
     Guides guides;
@@ -51,8 +51,8 @@ TEST(Plate, AStrandLiesWherePenaltyBearsItsWeight) {
     const Plate plate(0);
     Simulation simulation = plate.simulation();
     run(simulation, 4);
-    // k d^2 / (2 reg) = rho S g on each centimetre. A rod on such springs of stiffness
-    // k d / reg forgets its clamp as exp(-s / 0.45 cm), and is straight at its free end.
+    // k d^2 / (2 reg) = rho S g per centimetre. On springs of stiffness k d / reg the
+    // effect of the clamp decays as exp(-s / 0.45 cm), and the free end is straight.
     const ContactSettings& c = plate.settings.contact;
     const double depth = std::sqrt(2 * c.regularization * plate.weight() / c.stiffness);
     ASSERT_LT(depth, c.regularization);
@@ -71,12 +71,12 @@ TEST(Plate, SticksBelowTheAngleOfFrictionWithoutCreep) {
         Simulation simulation = plate.simulation();
         run(simulation, 2);
         const Vec3 settled = tip_of(simulation.guides(), 0);
-        // Held by springs of k that are stretched by 0.8 mu p / k = 1e-5 cm. Until it
-        // has sunk in to where it presses, in the first frames, it slides some way.
+        // The friction springs are stretched by 0.8 mu p / k = 1e-5 cm. In the first
+        // frames, until the strand has sunk in and presses, it slides a little.
         EXPECT_LT(std::abs(settled.y()), 0.5);
         run(simulation, 5);
-        // Round-off of a step, 1e-14 of the length, and what is left of ringing. Creep of
-        // even a tenth of the stretch in each step would be 480 times 1e-6.
+        // Round-off per step, 1e-14 of the length, and residual oscillation. Creep of
+        // even a tenth of the stretch per step would add to 480 times 1e-6.
         EXPECT_LT((tip_of(simulation.guides(), 0) - settled).norm(), 1e-6);
     }
 }
@@ -88,14 +88,14 @@ TEST(Plate, SlidesAboveTheAngleOfFriction) {
         plate = Plate(std::atan(1.5 * mu), ball);
         Simulation simulation = plate.simulation();
         run(simulation, 6);
-        // A cantilever under the load that friction leaves, w = (sin - mu cos) rho S g,
-        // bends by w L^4 / (8 EI) in its own plane: 18 cm here, so far that it is
-        // certainly bent by a quarter of its length.
+        // A cantilever under the load in excess of friction, w = (sin - mu cos) rho S g,
+        // bends by w L^4 / (8 EI): 18 cm here, in any case more than a quarter of its
+        // length.
         EXPECT_GT(tip_of(simulation.guides(), 0).y(), 3);
     }
 }
 
-TEST(Plate, WithoutFrictionTheSmallestSlopeMovesIt) {
+TEST(Plate, WithoutFrictionASmallSlopeMovesIt) {
     Plate plate(0.02);
     plate.settings.contact.friction = 0;
     Simulation simulation = plate.simulation();
@@ -118,8 +118,9 @@ TEST(Plate, AMovingPlateTakesTheStrandAlong) {
     run(simulation, 2);
     const double before = tip_of(simulation.guides(), 0).y();
     run(simulation, 2);
-    // Far from the clamp friction is far stronger than bending: all of the way, but for
-    // the springs' stretch, at most mu p / k = 6e-5 cm, and what the tip turns.
+    // Far from the clamp friction is much stronger than bending: the strand follows all
+    // the way except for the springs' stretch, at most mu p / k = 6e-5 cm, and a turn of
+    // the tip.
     EXPECT_NEAR(tip_of(simulation.guides(), 0).y() - before, 1, 0.02);
 }
 

@@ -7,8 +7,8 @@
 namespace lancret {
 namespace {
 
-/// Two hairs of 10 cm that cross at their middles, far enough apart not to touch, one
-/// above the other and each held at one end.
+/// Two hairs of 10 cm, one above the other, that cross at their middles without touching;
+/// each is held at one end.
 Guides crossing(double gap) {
     Guides out;
     const std::vector<Vec3> straight(10, Vec3::Zero());
@@ -60,13 +60,13 @@ double closest(double radius) {
 
 TEST(StrandContact, KeepsCrossingStrandsApart) {
     closest(0);
-    // Each pushes from 2 radii on; the push of the natural bend, EI 0.06 / 5 cm = 0.1
-    // dyn over one to two stations, is a small part of the penalty's 200 dyn/cm^2 times
-    // half of 0.2 cm times a station's 0.1 cm.
+    // Strands push each other from 2 radii on. The force of the natural bend,
+    // EI 0.06 / 5 cm = 0.1 dyn over one to two stations, is a small part of the penalty's
+    // 200 dyn/cm^2 times half of 0.2 cm times a station's 0.1 cm.
     EXPECT_GT(closest(0.1), 0.1);
 }
 
-/// rho S int v ds of both hairs, by differences of places over a frame.
+/// rho S int v ds of both hairs, from differences of positions over a frame.
 Vec3 momentum(const Guides& before, const Guides& now, std::size_t g, double density) {
     Vec3 sum = Vec3::Zero();
     for (double s = 0.05; s < 10; s += 0.1) {
@@ -77,8 +77,8 @@ Vec3 momentum(const Guides& before, const Guides& now, std::size_t g, double den
     return sum;
 }
 
-TEST(StrandContact, PairsOfStationsPushEachOtherAlike) {
-    // Hairs side by side, mirror images of each other: they part by the same way.
+TEST(StrandContact, PairsOfStationsPushEachOtherEqually) {
+    // Two hairs that are mirror images of each other move apart by the same distance.
     Guides guides;
     const std::vector<Vec3> straight(10, Vec3::Zero());
     Mat3 mirrored = frame_along({1, 0, 0});
@@ -97,17 +97,17 @@ TEST(StrandContact, PairsOfStationsPushEachOtherAlike) {
     const Vec3 a = momentum(begun, simulation.guides(), 0, density);
     const Vec3 b = momentum(begun, simulation.guides(), 1, density);
     EXPECT_GT(a.y(), 1e-4);
-    // Along the hairs both shorten towards their roots, which hold against it.
+    // Along the hairs both tips move towards their roots, which hold them.
     EXPECT_NEAR(a.y(), -b.y(), 1e-9 * a.y());
     EXPECT_NEAR(a.x(), b.x(), 1e-9 * a.y());
 }
 
-TEST(StrandContact, NeighboursAreForeseenWithTheirVelocities) {
+TEST(StrandContact, NeighboursAreExtrapolatedWithTheirVelocities) {
     const Guides guides = crossing(0.1);
     std::vector<RodPast> pasts(2);
     StrandNeighbours neighbours;
     neighbours.find(guides, pasts, 0.3, 4, 0.01);
-    // The second hair was 0.02 cm lower 0.02 s ago: half of that in 0.01 s to come.
+    // The second hair was 0.02 cm lower 0.02 s ago: it will move half of that in 0.01 s.
     const auto q = guides.curvatures_of(1);
     HelixState<double> lower = guides.root(1);
     lower.position.z() -= 0.02;

@@ -34,7 +34,7 @@ Points walks(int strands, int stations, double size, double step, unsigned seed)
 }
 
 /// (distance^2, point) of the nearest point of each other strand within the radius, in
-/// order, cut to as many as are kept.
+/// ascending order, at most kMax of them.
 std::vector<std::pair<double, std::uint32_t>> brute_force(const Points& points,
                                                           std::size_t of, double radius) {
     std::map<std::uint32_t, std::pair<double, std::uint32_t>> nearest;
@@ -52,7 +52,7 @@ std::vector<std::pair<double, std::uint32_t>> brute_force(const Points& points,
     return out;
 }
 
-/// How many points have all the neighbours that are kept.
+/// Expects the result of brute force; returns the number of points with kMax neighbours.
 int expect_brute_force(StrandGrid& grid, const Points& points, double radius) {
     grid.find(points.positions, points.strands, radius);
     int full = 0;
@@ -86,7 +86,7 @@ TEST(StrandGrid, FindsAcrossCellsFarFromTheOrigin) {
 }
 
 TEST(StrandGrid, TiesGoToTheLowerIndex) {
-    // A lattice whose strands run along x: many distances are equal, many just the
+    // A lattice whose strands run along x: many distances are equal, many exactly the
     // radius.
     Points points;
     for (std::uint32_t i = 0; i < 512; ++i) {
@@ -96,20 +96,20 @@ TEST(StrandGrid, TiesGoToTheLowerIndex) {
     StrandGrid grid;
     EXPECT_GT(expect_brute_force(grid, points, 1), 100);
     EXPECT_GT(expect_brute_force(grid, points, 2), 300);
-    // Shuffled strand numbers change no more than who is whose.
+    // With shuffled strand numbers.
     for (std::uint32_t& s : points.strands) s = (s * 37 + 5) % 64 + 4000000000u;
     EXPECT_GT(expect_brute_force(grid, points, 2), 300);
 }
 
-TEST(StrandGrid, OfOneStrandThereAreNoNeighbours) {
+TEST(StrandGrid, OneStrandHasNoNeighbours) {
     StrandGrid grid;
     const Points points = walks(1, 50, 1, 0.01, 3);
     grid.find(points.positions, points.strands, 10);
     for (std::size_t i = 0; i < 50; ++i) EXPECT_TRUE(grid.neighbours(i).empty());
-    grid.find({}, {}, 1);  // nor of none
+    grid.find({}, {}, 1);  // no points at all
 }
 
-TEST(StrandGrid, PointsAtOnePlaceAreNeighboursAtNoDistance) {
+TEST(StrandGrid, CoincidentPointsAreNeighboursAtDistanceZero) {
     Points points;
     for (std::uint32_t s = 0; s < 10; ++s) {
         points.positions.push_back({-0.0, 0, 0});
@@ -155,7 +155,7 @@ TEST(StrandGrid, KeepsItsBuffersFromCallToCall) {
     EXPECT_EQ(grid.neighbours(0).data(), data);
 }
 
-TEST(StrandGrid, RejectsWhatItCannotSort) {
+TEST(StrandGrid, RejectsInvalidArguments) {
     StrandGrid grid;
     Points points = walks(2, 2, 1, 0.1, 7);
     EXPECT_THROW(grid.find(points.positions, {}, 1), std::invalid_argument);

@@ -13,7 +13,7 @@
 namespace lancret {
 namespace {
 
-/// The gradient's length in units of sqrt(EI / L) after scaling by (K l)^(-1/2).
+/// The norm of the gradient scaled by (K l)^(-1/2), in units of sqrt(EI / L).
 double residual(const HangingRod& rod, const Eigen::VectorXd& q) {
     return rod_gradient(rod, q).cwiseQuotient(stiffness_diagonal(rod).cwiseSqrt()).norm();
 }
@@ -28,8 +28,8 @@ TEST(RodEquilibrium, WithoutWeightIsTheNaturalShape) {
 }
 
 TEST(RodEquilibrium, IsAStableMinimumForAnyWeightShapeAndRoot) {
-    // Newton's method stops where a step is below 1e-9 of the curvatures, and so is past
-    // half the digits: what is left is round-off, 1e-16 of the weight.
+    // Newton's method stops when a step is below 1e-9 of the curvatures; since it
+    // converges quadratically, only round-off remains, 1e-16 of the weight.
     for (const int segments : {1, 2, 5, 20}) {
         for (const double gamma : {1., 30., 1e3, 1e5}) {
             for (const Vec3& natural :
@@ -43,7 +43,7 @@ TEST(RodEquilibrium, IsAStableMinimumForAnyWeightShapeAndRoot) {
                         << segments << " " << gamma << " n " << natural.transpose()
                         << " t " << way.transpose();
                     EXPECT_LT(residual(rod, hung.q), 1e-10 + 1e-13 * gamma);
-                    // Of the energy's parts, up to the weight's size, 1e-15 is round-off.
+                    // Round-off is 1e-15 of the terms of the energy, up to the weight.
                     EXPECT_LE(
                         hung.energy.total(),
                         rod_energy(rod, natural_curvatures(rod)).total() + 1e-15 * gamma);
@@ -54,8 +54,8 @@ TEST(RodEquilibrium, IsAStableMinimumForAnyWeightShapeAndRoot) {
 }
 
 TEST(RodEquilibrium, TurnsWithTheWorld) {
-    // Root frame and gravity turned together: the same curvatures. The residual of 1e-10
-    // over the smallest eigenvalue, here above 0.1.
+    // Root frame and gravity turn together, so the curvatures stay the same, to the
+    // residual of 1e-10 over the smallest eigenvalue, here above 0.1.
     const HangingRod rod = hanging_rod(20, 100, {2, 1, 5});
     HangingRod turned = rod;
     const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(2, -3, 6) / 7).toRotationMatrix();
@@ -67,8 +67,8 @@ TEST(RodEquilibrium, TurnsWithTheWorld) {
     EXPECT_NEAR(a.energy.total(), b.energy.total(), 1e-10 * 100);
 }
 
-TEST(RodEquilibrium, DependsOnTheWeightNumberAlone) {
-    // In centimetres, grams and seconds: lengths scale by L, curvatures by 1 / L.
+TEST(RodEquilibrium, DependsOnlyOnTheWeightNumber) {
+    // In centimetres, grams and seconds lengths scale by L, curvatures by 1 / L.
     const double length = 12, ei = 0.7, density = 6e-5, gamma = 10;
     HangingRod rod = made_rod(20, 0, {0.1, 0, 0.05});
     rod.lengths.assign(20, length / 20);
@@ -83,8 +83,8 @@ TEST(RodEquilibrium, DependsOnTheWeightNumberAlone) {
 }
 
 TEST(RodEquilibrium, UprightRodBucklesTowardsN1) {
-    // Above its own critical weight 7.84. Its tip bends towards n1 = x, and turning it
-    // about the vertical costs nothing: a neutral direction.
+    // Above the critical weight of 7.84. Its tip bends towards n1 = x, and turning it
+    // about the vertical does not change the energy: a neutral direction.
     const HangingRod rod = made_rod(10, 12, {0, 0, 0}, Vec3::UnitZ(), Vec3::UnitX());
     const RodEquilibrium hung = rod_equilibrium(rod);
     EXPECT_TRUE(hung.left_branch && hung.stable);
@@ -118,7 +118,7 @@ TEST(RodEquilibrium, TightRingSnapsInItsPlaneAndEndsThere) {
     for (std::size_t i = 0; i < 20; ++i) EXPECT_NEAR(hung.q(3 * i + 1), 0, 1e-8);
 }
 
-TEST(RodMinimum, KeepsASaddleWhenAskedTo) {
+TEST(RodMinimum, KeepsASaddleIfRequested) {
     const HangingRod rod = made_rod(5, 12, {0, 0, 0}, Vec3::UnitZ(), Vec3::UnitX());
     const Eigen::VectorXd straight = natural_curvatures(rod);
     EXPECT_EQ(rod_minimum(rod, straight, Saddles::keep).q, straight);
@@ -126,8 +126,8 @@ TEST(RodMinimum, KeepsASaddleWhenAskedTo) {
 }
 
 TEST(RodMeasures, LowestPointOfARingIsItsDiameter) {
-    // A weightless ring of radius 1 / 2 pi that starts sideways: the centre's height is a
-    // radius below the root, the lowest point a diameter, half way round.
+    // A weightless ring of radius 1 / 2 pi that starts sideways: its centre is a radius
+    // below the root, its lowest point a diameter below it, half way round.
     const HangingRod rod = made_rod(3, 0, {0, 0, -2 * kPi});
     const LowestPoint low = lowest_point(rod, natural_curvatures(rod), Vec3::UnitZ());
     EXPECT_NEAR(low.height, -1 / kPi, 1e-15);
@@ -140,7 +140,7 @@ TEST(RodMeasures, TipAngleOfAnArcIsItsTurn) {
 }
 
 TEST(RodMeasures, RootCurvatureOfAStiffRodIsItsMoment) {
-    // Straight but for O(Gamma): M = rho S g L^2 / 2, about the horizontal -n2 for n1 up.
+    // Straight to O(Gamma): M = rho S g L^2 / 2, about the horizontal -n2 for n1 up.
     const HangingRod rod = made_rod(6, 1e-6);
     const Vec3 root = root_darboux(rod, rod_equilibrium(rod).q);
     EXPECT_NEAR(root.z(), -0.5e-6, 1e-12);

@@ -25,17 +25,17 @@ TEST(RodModes, OneStraightSegmentHasItsClosedForm) {
     for (const double omega : got) EXPECT_NEAR(omega, std::sqrt(20), 1e-13);
 }
 
-TEST(RodModes, StraightRodHasTwoASegmentInPairs) {
+TEST(RodModes, StraightRodHasTwoPerSegmentInPairs) {
     const std::vector<double> got = frequencies(hanging_rod(9, 30));
     ASSERT_EQ(got.size(), 18u);
     for (std::size_t i = 0; i < 18; i += 2) {
-        // Round-off of the largest period, 1e-15, seen from the shortest.
+        // Round-off is 1e-15 of the largest period, more relative to the shortest.
         EXPECT_NEAR(got[i] / got[i + 1], 1, 1e-6) << i;
         EXPECT_GT(got[i], i > 0 ? got[i - 1] : 0);
     }
 }
 
-TEST(RodModes, UnequalBendingPartsThePairs) {
+TEST(RodModes, UnequalBendingSplitsThePairs) {
     // EI_2 = 4 EI_1: twice the frequency in its plane.
     const HangingRod rod =
         made_rod(6, 0, {0, 0, 0}, Vec3::UnitX(), Vec3::UnitZ(), {2. / 3, 1, 4});
@@ -45,7 +45,7 @@ TEST(RodModes, UnequalBendingPartsThePairs) {
     EXPECT_NEAR(got[1], 2 * plain[0], 1e-10);
 }
 
-TEST(RodModes, CurvedRodHasThreeASegment) {
+TEST(RodModes, CurvedRodHasThreePerSegment) {
     EXPECT_EQ(frequencies(hanging_rod(4, 10, {1, 2, 3})).size(), 12u);
 }
 
@@ -58,7 +58,7 @@ TEST(RodModes, NeutralDirectionHasFrequencyZero) {
 }
 
 TEST(RodModes, SquareVanishesLinearlyAtTheCriticalWeight) {
-    // omega^2 = 0 at buckling and is smooth: at a share x below it, c x (1 + O(x)).
+    // omega^2 is smooth and 0 at buckling: at a fraction x below it, c x (1 + O(x)).
     HangingRod rod = made_rod(10, 1, {0, 0, 0}, Vec3::UnitZ(), Vec3::UnitX());
     const double critical = *critical_weight(rod, 100);
     const auto square = [&](double share) {
@@ -69,13 +69,13 @@ TEST(RodModes, SquareVanishesLinearlyAtTheCriticalWeight) {
     EXPECT_NEAR(square(1e-4) / square(1e-3), 0.1, 1e-4);
 }
 
-TEST(RodModes, UnstableShapeIsRefused) {
+TEST(RodModes, UnstableShapeIsRejected) {
     const HangingRod rod = made_rod(6, 12, {0, 0, 0}, Vec3::UnitZ(), Vec3::UnitX());
     EXPECT_THROW(rod_frequencies(rod, natural_curvatures(rod), 3), std::invalid_argument);
 }
 
-TEST(RodStability, BucklingWeightsOfFewSegmentsAreThoseKnown) {
-    // Found by another program to the digits given.
+TEST(RodStability, BucklingWeightsOfFewSegmentsMatchTheReference) {
+    // From an independent program, to the digits given.
     const double upright[] = {7.933686, 7.861555, 7.843407};
     const double lateral[] = {13.5635, 13.0374, 12.9001};
     for (int i = 0; i < 3; ++i) {
@@ -96,8 +96,8 @@ TEST(RodStability, HangingStraightHairNeverBuckles) {
 }
 
 TEST(RodStability, FoldOfAStableBranchIsACriticalWeight) {
-    // A hanging ring of three half turns, kept in its plane by stiffness across it,
-    // uncoils with a snap: at the fold the shape jumps.
+    // A hanging ring of three half turns, kept in its plane by its stiffness, uncoils
+    // with a snap: at the fold the shape jumps.
     HangingRod rod = hanging_rod(10, 1, {0, 0, 3 * kPi});
     rod.section.stiffness = {1e3, 1e3, 1};
     const auto changes = stability_changes(rod, 200, 1);
@@ -107,8 +107,8 @@ TEST(RodStability, FoldOfAStableBranchIsACriticalWeight) {
         rod.gravity = Vec3(0, 0, -changes[0].weight * (1 + share));
         return tip_of(rod, rod_equilibrium(rod).q);
     };
-    // Short of the fold by a share x the shape is off that at the fold by c sqrt(x)
-    // (1 + O(sqrt x)): four times nearer, twice as near. Beyond it, it jumps.
+    // At a fraction x below the fold the shape differs from that at the fold by c sqrt(x)
+    // (1 + O(sqrt x)): half as much at a quarter of x. Beyond the fold it jumps.
     const Vec3 near = tip(-1e-5), apart = tip(-4e-5), farther = tip(-16e-5);
     EXPECT_NEAR((farther - apart).norm() / (apart - near).norm(), 2, 0.05);
     EXPECT_GT((tip(1e-5) - near).norm(), 20 * (apart - near).norm());

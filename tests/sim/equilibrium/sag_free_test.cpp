@@ -28,7 +28,7 @@ TEST(SagFree, TheGroomIsAnEquilibriumOfTheRodsEnergy) {
         for (int i = 0; i < 24; ++i) {
             q[i] = guides.curvatures_of(g)[std::size_t(i / 3)][i % 3];
         }
-        // The load alone, to compare with: the two quadratures agree to 1e-10 each.
+        // The load sets the scale; the two quadratures agree to 1e-10 each.
         GravityTerms load;
         gravity_terms(rod, q, Derivatives::first, load);
         EXPECT_GT(load.gradient.norm(), 0.1);
@@ -36,7 +36,7 @@ TEST(SagFree, TheGroomIsAnEquilibriumOfTheRodsEnergy) {
     }
 }
 
-/// How far tips get in a second from where they are at rest.
+/// The largest distance of a tip from its rest position within a second.
 double drift(const Guides& guides, SimulationSettings settings, bool head) {
     SimulationScene scene = scene_of(guides);
     if (head) add_head(scene);
@@ -48,10 +48,10 @@ double drift(const Guides& guides, SimulationSettings settings, bool head) {
 }
 
 TEST(SagFree, TipsStayForASecond) {
-    // At rest a step's residual is round-off: 1e-14 of the weight, which moves a hair of
-    // length L by 1e-14 L, and 96 such steps add to 1e-11 cm. An equilibrium that is
-    // unstable (hair that is bent upwards) multiplies it by exp(t sqrt(g / L)), 3000 at
-    // most at 15 cm in a second.
+    // At rest the residual of a step is round-off, 1e-14 of the weight, which moves a
+    // hair of length L by 1e-14 L; 96 such steps add to 1e-11 cm. An unstable equilibrium
+    // (hair bent upwards) multiplies that by exp(t sqrt(g / L)), at most 3000 for 15 cm
+    // and one second.
     constexpr double kRoundOff = 3e-8;
     for (const double radius2 : {0.004, 0.009}) {
         for (const Integrator integrator :
@@ -66,13 +66,13 @@ TEST(SagFree, TipsStayForASecond) {
                 EXPECT_LT(drift(curls, settings, head), kRoundOff);
             }
             settings.sag_free = false;
-            EXPECT_GT(drift(waves, settings, false), 0.1);  // what it is for
+            EXPECT_GT(drift(waves, settings, false), 0.1);  // without it the groom sags
         }
     }
 }
 
-TEST(SagFree, AGroomThatLiesInTheHeadIsLetAlone) {
-    // Bent into the head, with whole segments inside it.
+TEST(SagFree, AGroomThatLiesInTheHeadIsNotPushed) {
+    // Guides that bend into the head, with whole segments inside it.
     Guides guides;
     for (int g = 0; g < 6; ++g) {
         const Vec3 n = Vec3(std::cos(g), 0, std::sin(g));
@@ -92,9 +92,9 @@ TEST(SagFree, AGroomThatLiesInTheHeadIsLetAlone) {
     EXPECT_LT(drift(guides, {}, true), 3e-8);
 }
 
-TEST(SagFree, GuidesThatWouldFallAreTold) {
-    // A straight hair that stands up buckles at rho S g L^3 / EI = 7.8373 (8 segments:
-    // 7.8745); one that hangs never falls.
+TEST(SagFree, FindsTheGuidesThatWouldFall) {
+    // A straight upright hair buckles at rho S g L^3 / EI = 7.8373 (8 segments: 7.8745);
+    // a hanging one never does.
     const RodSection section = rod_section({}, Dissipation::viscoelastic, 0);
     const double unit = section.stiffness.y() / (section.linear_density * 981);
     const Vec3 gravity(0, -981, 0), up = Vec3::UnitY();

@@ -1,4 +1,4 @@
-// A step that is warm allocates nothing: malloc itself is counted.
+// Counts calls of malloc: steps with warm buffers must not allocate.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Second order of convergence, shown and asserted.
+// Asserts second-order convergence.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,12 +11,13 @@
 namespace lancret {
 
 /// Computes a vector value(N) with N, 2N and 4N segments, N = `coarsest`, prints the
-/// lengths of its errors, and expects
-///  - that doubling N divides what changes by 4: the observed order is 2 within 0.15,
-///    which leaves room for the next term, h^4 (a segment may turn by 0.6 rad);
-///  - that the limit, free of h^2 and h^4 by Romberg's scheme, is the reference to
-///    `limit`.
-/// Changes below 1e-8 show no order: equilibria are solved to 1e-9.
+/// norms of its errors, and expects
+///  - that doubling N divides the changes by 4: the observed order is 2 within 0.15,
+///  which
+///    allows for the next term, h^4 (a segment may turn by 0.6 rad);
+///  - that the Romberg extrapolation, free of h^2 and h^4, is within `limit` of the
+///    reference.
+/// The order is not tested for changes below 1e-8: equilibria are solved to 1e-9.
 inline void expect_second_order(const char* what, const Eigen::VectorXd& reference,
                                 double limit,
                                 const std::function<Eigen::VectorXd(int)>& value,

@@ -39,9 +39,9 @@ Eigen::VectorXd shape(const HangingRod& rod, double size) {
 const double kSizes[] = {0, 1e-4, 3, 40};
 
 // Central differences of step h of a function of size s have the errors h^2 s / 6 (from
-// its third derivative; all derivatives of a rod of length 1 are of its own size, here
-// rho S g L^2 < 10 and elasticity's third is zero) and eps s / h, where s is the energy
-// 1/2 K k^2 < 5000 at curvatures of 40.
+// the third derivative; all derivatives of a rod of length 1 are of the same size, here
+// rho S g L^2 < 10, and the third derivative of the elastic energy is zero) and eps s /
+// h, where s is the energy 1/2 K k^2 < 5000 at curvatures of 40.
 constexpr double kStep = 1e-5;
 
 double difference_error(double size) {
@@ -88,8 +88,9 @@ TEST(RodEnergy, GravityActsOnTheMiddleOfAStraightRod) {
 }
 
 TEST(RodEnergy, OneSegmentOfManyTurnsEqualsMany) {
-    // The same curve in 1 segment and in 100: 300 rad in one segment need many Gauss
-    // points. Each panel is exact to 1e-10 of the weight 7 times the length's moment 1.
+    // The same curve as 1 segment and as 100: a segment that turns by 300 rad needs many
+    // Gauss points. Each panel is exact to 1e-10 of the weight 7 times the moment 1 of
+    // the length.
     const Vec3 k(100, 200, 200);
     Eigen::VectorXd one = k, many = k.replicate(100, 1);
     HangingRod rod = made_rod(1, 7);
@@ -99,8 +100,9 @@ TEST(RodEnergy, OneSegmentOfManyTurnsEqualsMany) {
 }
 
 TEST(RodMass, KineticEnergyIsThatOfThePoints) {
-    // v^T M v = rho S int |dr|^2 ds with dr by central differences of the points: errors
-    // 1e-10 of |dr| < 1 twice, and the quadrature's of 32 points a segment below that.
+    // v^T M v = rho S int |dr|^2 ds with dr by central differences of the points: twice
+    // an error of 1e-10 of |dr| < 1; that of the quadrature with 32 points per segment is
+    // smaller.
     const HangingRod rod = uneven_rod();
     const GaussRule rule = gauss_rule(32);
     for (const double size : kSizes) {
@@ -134,7 +136,7 @@ TEST(RodMass, KineticEnergyIsThatOfThePoints) {
 
 TEST(RodMass, NullityIsTheNumberOfStraightSegments) {
     // Round-off of eigenvalues is 1e-16 of the largest, about 1; the smallest of bent
-    // segments is some l^5 k^2 l^2, above 1e-9 here.
+    // segments is of the order of l^5 k^2 l^2, above 1e-9 here.
     const HangingRod rod = uneven_rod();
     const auto nullity = [&](const Eigen::VectorXd& q) {
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(rod_mass(rod, q));
@@ -147,7 +149,7 @@ TEST(RodMass, NullityIsTheNumberOfStraightSegments) {
     EXPECT_EQ(nullity(q), 0);
 }
 
-TEST(HangingRod, IsRefusedWhereItIsNone) {
+TEST(HangingRod, InvalidRodsAreRejected) {
     const auto refuses = [](auto change) {
         HangingRod rod = uneven_rod();
         EXPECT_NO_THROW(check_rod(rod));

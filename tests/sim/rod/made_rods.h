@@ -1,5 +1,5 @@
 #pragma once
-// Rods of length 1, EI 1 and rho S 1 for the tests.
+// Rods with length, EI and rho S of 1, for tests.
 
 #include <numbers>
 
@@ -23,7 +23,7 @@ inline HangingRod made_rod(int segments, double gamma, const Vec3& natural = Vec
     return rod;
 }
 
-/// As in hanging hair: the tangent -z, n1 = +x, n2 = -y.
+/// Clamped like hanging hair: tangent -z, n1 = +x, n2 = -y.
 inline HangingRod hanging_rod(int segments, double gamma,
                               const Vec3& natural = Vec3::Zero()) {
     return made_rod(segments, gamma, natural, -Vec3::UnitZ(), Vec3::UnitX());

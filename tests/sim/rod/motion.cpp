@@ -66,7 +66,7 @@ RootReaction root_reaction(const Rod& rod, const RodState& state,
     PointVectors bias, driven;
     std::vector<Vec3> joints;
     point_bias(rod, state, motion.layout, bias);
-    // J q'' is the velocity that the rates q'' give to a rod whose root stands still.
+    // J q'' is the velocity of a rod with rates q'' whose root stands still.
     RodState still = state;
     still.root = {state.root.pose};
     still.rates = accelerations;

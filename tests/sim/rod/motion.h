@@ -1,5 +1,5 @@
 #pragma once
-// Energy, momentum and what a root must bear.
+// Energy and momentum of a rod, and the reaction of its root.
 
 #include "sim/rod/rod.h"
 
@@ -9,14 +9,14 @@ namespace lancret {
 struct RodEnergy {
     double kinetic = 0;
     double elastic = 0;
-    double gravity = 0;  ///< of its weight, zero at the origin
+    double gravity = 0;  ///< zero at the origin
 
     double total() const { return kinetic + elastic + gravity; }
 };
 
 RodEnergy energy(const Rod& rod, const RodState& state, const Vec3& gravity);
 
-/// Momentum of a rod, g cm/s, and its moment about the origin, g cm^2/s.
+/// Linear momentum, g cm/s, and angular momentum about the origin, g cm^2/s.
 struct Momentum {
     Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
 };

@@ -11,9 +11,9 @@ namespace {
 constexpr double kDrag = 0.3;
 const Vec3 kGravity(0.5, -1, -4);
 
-/// The drag's and the weight's force, and their moment about the origin.
+/// The force of drag and weight and its moment about the origin.
 Momentum outer_forces(const TestRod& rod) {
-    // Both are linear in what a momentum is linear in.
+    // Both are integrals of a velocity or an acceleration over the mass, as momentum is.
     const Momentum p = momentum(rod.rod(), rod.state());
     TestRod falling = rod;
     falling.rates.assign(rod.rates.size(), Vec3::Zero());
@@ -38,16 +38,16 @@ TEST(RodMotion, MomentumAndEnergyAreThoseOfATurningRod) {
     EXPECT_NEAR(e.gravity, 0, 1e-14);
 }
 
-TEST(RodMotion, RootHoldsWhatMomentumAsksFor) {
-    // Along q + q' t + q'' t^2 / 2 and a swinging root: F + weight and drag = dP/dt, and
-    // the same of moments about the origin. Differences of step 1e-4, of error 1e-8 times
-    // third derivatives, up to 100.
+TEST(RodMotion, RootReactionBalancesTheMomentum) {
+    // Along q + q' t + q'' t^2 / 2 with a swinging root: F + weight + drag = dP/dt, and
+    // the same for moments about the origin. Differences of step 1e-4 have an error of
+    // 1e-8 times the third derivatives, which are up to 100.
     std::mt19937_64 random(12);
     for (int trial = 0; trial < 8; ++trial) {
         TestRod rod = random_rod(5, 0.6, random);
         std::vector<Vec3> accelerations(5);
         for (Vec3& a : accelerations) a = random_vector(random, 10);
-        const auto at = [&](double t) {
+        const auto rod_at = [&](double t) {
             TestRod out = rod;
             out.root = swinging_root(0.3 + t);
             for (int q = 0; q < 5; ++q) {
@@ -57,10 +57,10 @@ TEST(RodMotion, RootHoldsWhatMomentumAsksFor) {
             return out;
         };
         const auto momentum_at = [&](double t) {
-            const TestRod then = at(t);
+            const TestRod then = rod_at(t);
             return momentum(then.rod(), then.state());
         };
-        const TestRod now = at(0);
+        const TestRod now = rod_at(0);
         const RootReaction held =
             root_reaction(now.rod(), now.state(), accelerations, kGravity, kDrag);
         const Momentum outer = outer_forces(now);
@@ -74,8 +74,8 @@ TEST(RodMotion, RootHoldsWhatMomentumAsksFor) {
     }
 }
 
-/// What the root's impulses over a run miss of the change of momentum, less the impulses
-/// of weight and drag: linear and angular, relative to the largest impulse.
+/// The difference between the impulses of root, weight and drag over a run and the change
+/// of momentum: linear and angular, relative to the largest root reaction.
 std::pair<double, double> impulse_error(int steps) {
     RodRun run = curled_run(5, 0, Integrator::bdf2);
     run.rod.section.damping = 0.05 * run.rod.section.stiffness;
@@ -84,7 +84,7 @@ std::pair<double, double> impulse_error(int steps) {
     run.root_at = swinging_root;
     run.rod.root = swinging_root(0);
     const double eps = 1. / steps;
-    // Settled in BDF2 first; all rates from there are of second order.
+    // Starts after BDF2 has settled, when all rates are of second order.
     run.run(0.2, steps / 5);
     const auto now = [&] { return momentum(run.rod.rod(), run.rod.state()); };
     const Momentum first = now();

@@ -9,8 +9,8 @@
 namespace lancret {
 namespace {
 
-/// The rod at time t: curvatures move uniformly, the root as its derivatives say (a
-/// rotation of constant angular acceleration is told by its series to third order).
+/// The rod at time t: the curvatures change uniformly, the root follows its derivatives
+/// (a rotation of constant angular acceleration as its series to third order).
 TestRod at_time(const TestRod& rod, double t) {
     TestRod out = rod;
     for (std::size_t q = 0; q < rod.lengths.size(); ++q) {
@@ -38,7 +38,7 @@ std::vector<Vec3> positions_of(const TestRod& rod, const PointLayout& layout) {
     return out;
 }
 
-TEST(RodPoints, MotionAndBiasAreDifferencesOfPlaces) {
+TEST(RodPoints, MotionAndBiasMatchFiniteDifferences) {
     std::mt19937_64 random(1);
     for (const double turn : {0., 1e-6, 0.3, 2., 9.}) {
         const TestRod rod = random_rod(5, turn, random);

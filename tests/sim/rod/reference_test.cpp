@@ -1,7 +1,7 @@
-// The rod against values found by other methods than a Super-Helix: shooting and
-// collocation, two of which agree to 1e-11. They are given to 8 to 10 digits; a limit of
-// 1e-5 of the quantity's size is what Romberg's scheme from 20, 40 and 80 segments leaves
-// of the steepest layer, which is as long as a segment of the coarsest.
+// The rod against reference values from other methods than a Super-Helix: shooting and
+// collocation, which agree to 1e-11. They are given to 8 to 10 digits. The limit of 1e-5
+// of a quantity's size is the error of Romberg's scheme from 20, 40 and 80 segments at
+// the steepest boundary layer, which is as long as a segment of the coarsest rod.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST(SlowRodReference, HeavyElasticaClampedHorizontally) {
           Row{10, 0.7001997155, 0.6563537612, 1.0526431172, 3.742191111},
           Row{100, 0.9375239354, 0.1592233826, 1.5641073206, 13.693238736},
           Row{1000, 0.9811412693, 0.0459864548, 1.5707963223, 44.297658387}}) {
-        // The layer at the root, 1 / sqrt(Gamma) long, spans a segment at least.
+        // The boundary layer at the root, 1 / sqrt(Gamma) long, spans at least a segment.
         const int coarsest = row.gamma > 100 ? 40 : 20;
         const auto expect = [&](const char* what, const auto& reference, double limit,
                                 auto&& value) {
@@ -79,8 +79,8 @@ TEST(SlowRodReference, NaturallyCurvedRodsInSpace) {
                  {0.01056155, -0.19758260, -0.18862917},
                  -0.18862917},
          }) {
-        // The lowest point, where it is not the tip, is a fourth value: all four as one
-        // vector, since the h^2 term of a single one may happen to be near zero.
+        // Tip and lowest height as one vector, since the h^2 term of a single value may
+        // happen to be near zero.
         const std::string name = fmt::format("({:.2f} {} {:.2f}) at {}", row.natural.x(),
                                              row.natural.y(), row.natural.z(), row.gamma);
         Eigen::Vector4d reference;
@@ -112,7 +112,7 @@ TEST(SlowRodReference, FrequenciesOfHangingStraightHair) {
                 [&](int segments) {
                     const HangingRod rod = hanging_rod(segments, row.gamma);
                     const auto all = rod_frequencies(rod, rod_equilibrium(rod).q, 6);
-                    // One a plane.
+                    // One per plane.
                     EXPECT_NEAR(all[2 * m], all[2 * m + 1], 1e-8 * all[2 * m]);
                     return all[2 * m];
                 });
@@ -125,7 +125,7 @@ TEST(SlowRodReference, BucklingWeights) {
         return *critical_weight(
             made_rod(segments, 1, {0, 0, 0}, Vec3::UnitZ(), Vec3::UnitX()), 1e3);
     });
-    // A strip that does not bend over its height: EI_2 / EI_1 = 1e8 leaves 1e-8.
+    // A strip that is rigid in its plane: EI_2 / EI_1 = 1e8 has an effect of 1e-8.
     expect_second_order("lateral buckling", 12.85376332, 1e-5, [](int segments) {
         const Vec3 stiffness(2. / 3, 1, 1e8);
         const HangingRod rod =

@@ -9,10 +9,10 @@
 
 namespace lancret {
 
-/// How a root moves in time.
+/// The motion of a root over time.
 using RootAt = std::function<RootMotion(double time)>;
 
-/// A root that moves along, up and down and turns about a fixed axis, smoothly.
+/// A root that swings smoothly along a line and about a fixed axis.
 inline RootMotion swinging_root(double t) {
     RootMotion out;
     const Vec3 axis = Vec3(1, 2, -1).normalized(), way(0.2, -0.1, 0.3);

@@ -8,7 +8,7 @@
 
 namespace lancret {
 
-/// A rod and its state that own what a Rod and a RodState point to.
+/// Owns the arrays of a Rod and a RodState.
 struct TestRod {
     std::vector<double> lengths;
     std::vector<Vec3> natural, curvatures, rates;
@@ -39,8 +39,8 @@ inline Vec3 random_vector(std::mt19937_64& random, double size) {
     return {x, y, z};
 }
 
-/// A rod of length 1 with segments that turn by up to about `turn` each, in motion, with
-/// a moving root.
+/// A moving rod of length 1 whose segments turn by up to about `turn` each, with a moving
+/// root.
 inline TestRod random_rod(int segments, double turn, std::mt19937_64& random) {
     TestRod out = straight_rod(segments);
     std::uniform_real_distribution<double> uniform(0.5, 1.5);

@@ -34,7 +34,7 @@ TEST(RodSection, FlatHairBendsOverItsThinSide) {
     EXPECT_NEAR(section.stiffness.x() / (4e10 / 2.96 * torsion), 1, 1e-14);
 }
 
-TEST(RodSection, RefusesWhatIsNoHair) {
+TEST(RodSection, RejectsInvalidMaterials) {
     const auto refuses = [](auto change) {
         RodMaterial hair;
         change(hair);

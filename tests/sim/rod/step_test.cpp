@@ -24,7 +24,7 @@ Vec3 swung_tip(Integrator integrator, int steps) {
 }
 
 TEST(RodStep, OrdersInTimeAreOneTwoAndOne) {
-    // The error is c eps^p + d eps^(p+1): its halvings tell p, here within 0.2.
+    // The error is c eps^p + d eps^(p+1): halving eps gives p, here within 0.2.
     const Vec3 fine = swung_tip(Integrator::bdf2, 8000);
     for (const auto& [integrator, order] : {std::pair(Integrator::implicit_euler, 1.),
                                             {Integrator::bdf2, 2.},
@@ -65,7 +65,7 @@ TEST(RodStep, AllSolversTakeTheSameStep) {
 }
 
 TEST(RodStep, MatrixOfAStepIsNotWellConditioned) {
-    // D alone is 1e-4 l, M up to 1/3.
+    // Without M it is D, 4e-4 l; M is up to 1/3 and nearly singular.
     constexpr double kEps = 0.02;
     std::mt19937_64 random(11);
     for (int trial = 0; trial < 5; ++trial) {
@@ -86,12 +86,12 @@ TEST(RodStep, MatrixOfAStepIsNotWellConditioned) {
     }
 }
 
-/// The round-off that a rise of energy may be: each iteration lets what is minimised, at
-/// most the square of a free fall and the energies, rise by 1e-13 of itself.
+/// The rise of energy that round-off explains: each iteration may let the minimised sum,
+/// at most the square of a free fall and the energies, rise by 1e-13 of itself.
 constexpr double kRoundOff = 1e-10;
 
 TEST(RodStep, ImplicitEulerNeverGainsEnergy) {
-    // Seen, not proved: the energy is not convex in a step.
+    // An observation, not a theorem: the energy is not convex in a step.
     for (const double gamma : {1., 10., 50., 200.}) {
         for (const double eps : {0.003, 0.02, 0.1, 0.22}) {
             for (const double damping : {0., 0.05}) {
@@ -105,14 +105,14 @@ TEST(RodStep, ImplicitEulerNeverGainsEnergy) {
                 EXPECT_TRUE(run.finished);
                 EXPECT_LE(run.largest_rise, kRoundOff * (1 + gamma))
                     << gamma << " " << eps << " " << damping;
-                // And it does move.
+                // But it moves.
                 EXPECT_LT(run.samples.back().total(), run.samples.front().total() - 1e-4);
             }
         }
     }
 }
 
-/// The drift of an undamped rod's energy, relative, over `time`.
+/// The relative drift of an undamped rod's energy over `time`.
 double energy_drift(double gamma, Integrator integrator, double eps, double time) {
     const HangingRod rod = made_rod(5, gamma, {1, 0, 5});
     ReleaseSettings settings;
@@ -129,21 +129,21 @@ double energy_drift(double gamma, Integrator integrator, double eps, double time
     return drift;
 }
 
-// BDF2 takes (omega eps)^3 omega / 2 of a mode's energy each unit of time: 2e-3 in 10 s
-// at eps = 1e-3 where omega is 25, that of the second mode.
+// BDF2 removes (omega eps)^3 omega / 2 of a mode's energy per unit of time: 2e-3 in 10 s
+// at eps = 1e-3 for omega = 25, that of the second mode.
 TEST(RodStep, UndampedEnergyStaysForTenSeconds) {
     EXPECT_LT(energy_drift(1, Integrator::bdf2, 1e-3, 10), 2e-3);
     EXPECT_LT(energy_drift(10, Integrator::bdf2, 1e-3, 10), 2e-3);
 }
 
 TEST(SlowRodStep, UndampedEnergyStaysBetterAtSmallerSteps) {
-    // A thousandth by the formula above, of which the two first steps, implicit Euler's
-    // of error eps^2, leave a hundredth.
+    // A thousandth by the formula above; the first two steps, of implicit Euler with
+    // error eps^2, reduce that to a hundredth.
     EXPECT_LT(energy_drift(1, Integrator::bdf2, 1e-4, 10), 2e-5);
     EXPECT_LT(energy_drift(10, Integrator::bdf2, 1e-4, 10), 2e-5);
 }
 
-/// E - E0 of a hanging rod of gamma 50 at t = 0.5, relative, by the semi-implicit step.
+/// Relative E - E0 of a hanging rod of gamma 50 at t = 0.5, by the semi-implicit step.
 double semi_implicit_error(double eps, bool velocity_terms) {
     const HangingRod rod = hanging_rod(5, 50, {1, 0, 5});
     ReleaseSettings settings;
@@ -162,11 +162,11 @@ double semi_implicit_error(double eps, bool velocity_terms) {
 }
 
 TEST(RodStep, SemiImplicitStepConvergesWithVelocityTermsOnly) {
-    // Another program found 0.17, 0.017 with them, to the digits given, and thousands
-    // without them, the more the smaller the step.
+    // An independent program found 0.17 and 0.017 with them, to the digits given, and
+    // thousands without them, growing as the step shrinks.
     EXPECT_NEAR(semi_implicit_error(1e-3, true), 0.17, 0.01);
     EXPECT_NEAR(semi_implicit_error(3e-4, true), 0.017, 0.001);
-    // First order: |E - E0| is below c eps with c = 57 of the two above.
+    // First order: |E - E0| is below c eps, with c = 57 from the second value above.
     EXPECT_LT(std::abs(semi_implicit_error(1e-4, true)), 5.7e-3);
     double before = 1e3;
     for (const double eps : {1e-3, 3e-4, 1e-4}) {
@@ -177,8 +177,9 @@ TEST(RodStep, SemiImplicitStepConvergesWithVelocityTermsOnly) {
 }
 
 TEST(RodStep, UniformlyMovingRootSeesTheSameMotion) {
-    // Galilei: places differ by V t, of which 2^-53 V t is lost; a hundred steps divide
-    // it by eps^2 in velocities' differences, and stiffness takes most of it away.
+    // Galilean invariance: positions differ by V t, of which 2^-53 V t is lost to
+    // round-off. Differences of velocities divide that by eps^2, and stiffness damps most
+    // of it.
     for (const Integrator integrator :
          {Integrator::implicit_euler, Integrator::bdf2, Integrator::semi_implicit}) {
         RodRun still = curled_run(5, 10, integrator), moving = still;
@@ -233,8 +234,8 @@ TEST(RodStep, SmallVibrationHasItsModesFrequency) {
         return mode.dot(stiffness * away) / kAmplitude;
     };
     // The times at which it passes through rest, from the first to the fifth: two
-    // periods. BDF2 is slower by (omega eps)^2 / 3, and its start adds no more than that
-    // over the two periods; the amplitude's square is 1e-8.
+    // periods. BDF2 is slower by (omega eps)^2 / 3, and its start adds at most as much
+    // over the two periods; the square of the amplitude is 1e-8.
     const double eps = 2 * kPi / omega / 1000;
     std::vector<double> passed;
     double before = share();
@@ -246,9 +247,9 @@ TEST(RodStep, SmallVibrationHasItsModesFrequency) {
         before = now;
     }
     ASSERT_EQ(passed.size(), 5u);
-    const double seen = 4 * kPi / (passed[4] - passed[0]);
-    fmt::print("omega {:.8f}, seen {:.8f}\n", omega, seen);
-    EXPECT_NEAR(seen / omega, 1, std::pow(2 * kPi / 1000, 2));
+    const double measured = 4 * kPi / (passed[4] - passed[0]);
+    fmt::print("omega {:.8f}, measured {:.8f}\n", omega, measured);
+    EXPECT_NEAR(measured / omega, 1, std::pow(2 * kPi / 1000, 2));
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ struct Linearized {
     }
 };
 
-/// int J^T J ds by a rule of 32 points in each quarter of a segment, with the Jacobian
-/// that the fit uses.
+/// int J^T J ds by a rule of 32 points per quarter of a segment, with the Jacobian of the
+/// guide fit.
 Eigen::MatrixXd gram_reference(const TestRod& rod) {
     const SuperHelix helix{rod.root.pose, rod.lengths, rod.curvatures};
     const GaussRule rule = gauss_rule(32);
@@ -66,7 +66,7 @@ TEST(RodSystem, MassMatrixIsThatOfARefinedQuadrature) {
             EXPECT_LT((matrix - want).norm(), 1e-10 * want.norm())
                 << turn << " " << segments;
             EXPECT_EQ((matrix - matrix.transpose()).norm(), 0);
-            // Semi-definite by construction, to round-off.
+            // Positive semi-definite to round-off.
             Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix);
             EXPECT_GT(eigen.eigenvalues().minCoeff(), -1e-14 * want.norm());
         }
@@ -85,7 +85,8 @@ TEST(RodSystem, OneStraightSegmentHasTheClosedForm) {
     EXPECT_LT((matrix - Eigen::MatrixXd(want.asDiagonal())).norm(), 1e-16);
 }
 
-/// How far the recursion is from the dense solution, relative, and the condition number.
+/// The relative difference of the recursion from the dense solution, and the condition
+/// number.
 std::pair<double, double> recursion_error(const TestRod& rod, double diagonal,
                                           bool with_points) {
     Linearized at(rod, 1);
@@ -125,8 +126,8 @@ TEST(RodSystem, RecursionIsTheDenseSolution) {
 }
 
 TEST(RodSystem, RecursionIsAsGoodAsTheMatrixAllows) {
-    // Where D is small the solution is known to eps times the condition number only, for
-    // either way; the recursion must not lose more.
+    // For small D both solvers are accurate only to eps times the condition number; the
+    // recursion must not lose more.
     std::mt19937_64 random(3);
     for (const double diagonal : {1e-5, 1e-8, 1e-11}) {
         const auto [error, condition] =

@@ -19,8 +19,8 @@ SegmentPoint<double> point(const Vec3& k, double u) {
     return segment_point<double>(k.data(), u, stumpff_halvings(u * u * k.squaredNorm()));
 }
 
-/// c_m(x) in long double: the series, or from the trigonometric functions upwards by
-/// c_m = (1 / (m - 2)! - c_{m-2}) / x, whichever loses less.
+/// c_m(x) in long double: by the series for small x, otherwise from the trigonometric
+/// functions by c_m = (1 / (m - 2)! - c_{m-2}) / x.
 long double stumpff_reference(int m, long double x) {
     long double factorial = 1;
     for (int i = 2; i <= m; ++i) factorial *= i;
@@ -44,7 +44,7 @@ TEST(Stumpff, FunctionsAreTheClosedFormsInLongDouble) {
         StumpffTail<double> tail;
         const Stumpff<double> c = stumpff_functions(x, stumpff_halvings(x), tail);
         const double got[] = {0, c.c1, c.c2, c.c3, c.c4, c.c5, tail.c6, tail.c7};
-        // Each doubling may double the error of a value; no value is above 1 / m!.
+        // Each doubling may double the error of a value; values are at most 1 / m!.
         const double rounding = 4e-16 * std::pow(2, stumpff_halvings(x));
         double factorial = 1;
         for (int m = 1; m < 8; ++m) {
@@ -75,7 +75,7 @@ TEST(SegmentKernel, JacobianIsTheStepsDerivative) {
     }
 }
 
-// Central differences of step h of a function of size s have the errors h^2 s (from the
+// Central differences with step h of a function of size s have errors of h^2 s (from the
 // third derivative) and eps s / h: at h = 1e-5 both are about 1e-10 s.
 constexpr double kStep = 1e-5, kDifference = 1e-9;
 
@@ -96,8 +96,8 @@ TEST(SegmentKernel, SecondDerivativesAreDifferencesOfTheFirst) {
 }
 
 TEST(SegmentKernel, RotationsCommuteOnlyUpToTheirCrossProduct) {
-    // Second derivatives of a frame are symmetric: DV[a] b - DV[b] a = V a x V b, with V
-    // in the start frame.
+    // Second derivatives of a frame are symmetric, so DV[a] b - DV[b] a = V a x V b, with
+    // V in the start frame.
     const Vec3 a(0.3, -0.2, 0.9), b(-0.5, 0.7, 0.4);
     for (const double turn : kTurns) {
         const Vec3 k = kDirection * turn / kLength;
@@ -122,7 +122,7 @@ TEST(GaussLegendre, IsExactToItsDegree) {
     }
 }
 
-TEST(GaussLegendre, PointsAreWholeGroupsOfFour) {
+TEST(GaussLegendre, PointsAreMultiplesOfFour) {
     EXPECT_EQ(gauss_points(0), 8);
     EXPECT_EQ(gauss_points(3.01), 12);
     EXPECT_EQ(gauss_points(1e300), kMaxGaussPoints);

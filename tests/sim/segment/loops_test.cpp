@@ -57,7 +57,7 @@ TEST(SegmentLoops, WideRegistersGiveTheSameBits) {
                 loops.bias(at, r, m, bias, 32);
             }
         };
-        // A chain of such segments, whose inertia is positive definite as it must be.
+        // A chain of such segments; its inertia is positive definite, as required.
         const auto solution = [&](const SegmentLoops& loops) {
             std::vector<SegmentBlock> rod(5);
             std::vector<double> x(15), diagonal(15, 2.), load(15, 0.1);

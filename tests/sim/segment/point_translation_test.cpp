@@ -11,14 +11,14 @@ SuperHelix helix_of(const TestRod& rod) {
     return {rod.root.pose, rod.lengths, rod.curvatures};
 }
 
-TEST(PointTranslation, BringsAnyPointToItsTarget) {
+TEST(PointTranslation, MovesAnyPointToItsTarget) {
     std::mt19937_64 random(1);
     for (const double s : {0.3, 0.71, 1.}) {
         for (const double turn : {0., 0.4, 2.}) {
             const TestRod rod = random_rod(8, turn, random);
             const Vec3 root = rod.root.pose.position;
             const Vec3 from = state_at(helix_of(rod), s).position;
-            // A quarter of the way to the root and to the side: within reach.
+            // A quarter of the way to the root, and sideways: within reach.
             const Vec3 target =
                 from + 0.25 * (root - from) + random_vector(random, 0.1 * s);
             std::vector<Vec3> bent;
@@ -32,8 +32,8 @@ TEST(PointTranslation, BringsAnyPointToItsTarget) {
 }
 
 TEST(PointTranslation, SmallStepCostsTheLeastBending) {
-    // To first order the change is W J^T (J W J^T)^-1 d, the least |dq|_K of all that
-    // move the point by d; what is left of second order is d^2 / L.
+    // To first order the change is W J^T (J W J^T)^-1 d, the smallest |dq|_K that moves
+    // the point by d; the second-order error is d^2 / L.
     std::mt19937_64 random(2);
     const TestRod rod = random_rod(5, 0.5, random);
     const double s = 1;
@@ -71,8 +71,8 @@ TEST(PointTranslation, OnlyTheNamedSegmentsBend) {
     EXPECT_NE(bent[2], rod.curvatures[2]);
 }
 
-TEST(PointTranslation, StretchesTowardsWhatIsOutOfReach) {
-    // The nearest that a strand of length 1 comes to a target 3 away is 2.
+TEST(PointTranslation, StretchesTowardsAnUnreachableTarget) {
+    // A strand of length 1 can approach a target at distance 3 to 2.
     std::mt19937_64 random(4);
     TestRod rod = random_rod(6, 0.3, random);
     const Vec3 target = rod.root.pose.position + 3 * rod.root.pose.frame.col(0);
@@ -80,7 +80,7 @@ TEST(PointTranslation, StretchesTowardsWhatIsOutOfReach) {
     const TranslationReport report = translate_point(helix_of(rod), 1, target, {}, bent);
     EXPECT_FALSE(report.reached);
     EXPECT_NEAR(report.distance, 2, 1e-3);
-    // The root itself cannot move at all.
+    // The root itself cannot move.
     EXPECT_FALSE(translate_point(helix_of(rod), 0, target, {}, bent).reached);
 }
 
@@ -91,7 +91,7 @@ TEST(PointTranslation, StraightStrandBendsSideways) {
     EXPECT_TRUE(translate_point(helix_of(rod), 1, target, {}, bent).reached);
 }
 
-TEST(PointTranslation, RefusesWhatMakesNoSense) {
+TEST(PointTranslation, RejectsInvalidArguments) {
     const TestRod rod = straight_rod(3);
     std::vector<Vec3> bent;
     const auto refuses = [&](double s, const Vec3& target, TranslationSettings settings) {
