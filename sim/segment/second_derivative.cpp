@@ -11,7 +11,7 @@ Vec3 square_form(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-SegmentSecondDerivative::SegmentSecondDerivative(const Vec3& k, double u) : k_(k), u_(u) {
+SegmentSecondDerivative::SegmentSecondDerivative(const Vec3& k, double u) : k_(k) {
     const double x = u * u * k.squaredNorm();
     StumpffTail<double> tail;
     const Stumpff<double> c = stumpff_functions(x, stumpff_halvings(x), tail);

@@ -23,7 +23,6 @@ class SegmentSecondDerivative {
 
   private:
     Vec3 k_;
-    double u_;
     double p2_, p3_;    ///< u^2 c2, u^3 c3
     double d2_, d3_;    ///< 2 u^4 c2', 2 u^5 c3'
     double dd2_, dd3_;  ///< 4 u^6 c2'', 4 u^7 c3''
