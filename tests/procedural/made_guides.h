@@ -1,5 +1,5 @@
 #pragma once
-// Guides for tests: whatever a test does not name is drawn from a seeded generator.
+// Guides for tests, drawn from a seeded generator.
 
 #include <random>
 
@@ -44,7 +44,7 @@ inline Guides random_guides(int count, int segments, unsigned seed,
     return guides;
 }
 
-/// A child of the first guides, each seen in its own frame.
+/// A child of the first guides, without a rotation from guide to child.
 template <class T>
 struct MadeChild {
     std::vector<std::uint32_t> guides;

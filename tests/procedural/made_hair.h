@@ -1,5 +1,5 @@
 #pragma once
-// Guides that stand on a plane and children between them, for tests.
+// Guides on a plane and children between them, for tests.
 
 #include <random>
 
@@ -9,8 +9,8 @@
 
 namespace lancret::test {
 
-/// Guides with their normals, on the square [0, side]^2 at z = 0, whose tangents lean
-/// from +Z by up to about half a radian.
+/// Guides on the square [0, side]^2 at z = 0, whose tangents lean from +Z by up to about
+/// 0.5 radian, and the normals at their roots.
 struct StandingGuides {
     Guides guides;
     std::vector<Vec3f> normals;
@@ -54,7 +54,7 @@ inline Roots plane_roots(std::size_t count, unsigned seed, float side = 10) {
     return out;
 }
 
-/// Children that stand on the guides' own roots.
+/// Children at the guides' roots.
 inline Roots guide_roots(const StandingGuides& standing) {
     Roots out;
     for (const Vec3& p : standing.guides.root_positions) {
@@ -64,7 +64,7 @@ inline Roots guide_roots(const StandingGuides& standing) {
     return out;
 }
 
-/// All that expansion needs, of random guides and children.
+/// Random guides and children, ready for expansion.
 struct MadeHair {
     StandingGuides standing;
     Binding binding;

@@ -1,5 +1,5 @@
 #pragma once
-// Dense grooms for tests of the evaluation.
+// Dense strands for tests of the evaluation.
 
 #include <cmath>
 #include <random>
@@ -8,9 +8,8 @@
 
 namespace lancret::test {
 
-/// `count` strands of 5 to 15 cm from places drawn on [0, 10]^2 at z = 0, which lean by
-/// up to a third of their length and wind `turns` times with a radius of 0.3 cm, phase
-/// drawn.
+/// `count` random strands of 5 to 15 cm from [0, 10]^2 at z = 0, which lean by up to 0.3
+/// of their length and wind `turns` times with a radius of 0.3 cm and a random phase.
 inline Strands curly_strands(int count, unsigned seed, double turns = 2) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(0, 10), length(5, 15), lean(-0.3, 0.3),

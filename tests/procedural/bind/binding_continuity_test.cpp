@@ -1,5 +1,6 @@
-// Weights along paths of roots: where nothing but distance changes, and where partings,
-// limits and facing come in. A weight that is Lipschitz changes by L h in a step of h.
+// Weights along paths of roots: as only distances change, and as partings, limits and
+// facing have an effect. A Lipschitz-continuous weight changes by at most L h in a step
+// of h.
 
 #include <gtest/gtest.h>
 
@@ -19,23 +20,24 @@ namespace {
 using test::standing_guides;
 using test::StandingGuides;
 
-/// A place and a normal at t from 0 to 1.
+/// A position and a normal.
 struct PathPoint {
     Vec3 position, normal = Vec3::UnitZ();
 };
-using Path = std::function<PathPoint(double)>;
+using Path = std::function<PathPoint(double)>;  ///< of t in [0, 1]
 
-/// The largest change of any guide's weight in one step of a path, and where it is.
+/// The largest change of any guide's weight in one step of a path, and its t.
 struct Jump {
-    double size = 0, at = 0;
+    double size = 0, t = 0;
 };
 
-struct Walked {
+/// Guides, and settings to bind children on a path.
+struct PathBinder {
     const Guides& guides;
     const std::vector<Vec3f>& normals;
     BindSettings settings;
     const Partings* partings = nullptr;
-    std::size_t limited = 0;  ///< children of the last walk that had a fallback
+    std::size_t limited = 0;  ///< children on the last path that needed a fallback
 
     Jump largest_jump(const Path& path, int steps) {
         Roots roots;
@@ -68,16 +70,16 @@ struct Walked {
         return worst;
     }
 
-    /// A sixteenth of the step, a sixteenth of the largest change: a twelfth at most,
-    /// where a coarse step meets the steepest place only in part.
+    /// A sixteenth of the step gives a sixteenth of the largest change; a twelfth is
+    /// allowed, as a coarse step may cover the steepest part only partially.
     void expect_continuous(const Path& path, const char* what, int steps = 500) {
         const Jump coarse = largest_jump(path, 16 * steps);
         const Jump fine = largest_jump(path, 256 * steps);
         EXPECT_EQ(limited, 0u) << what;
         EXPECT_GT(coarse.size, 0) << what;
         EXPECT_LT(fine.size, coarse.size / 12)
-            << what << ": worst at " << fine.at << ", " << fine.size << " after "
-            << coarse.size << " at " << coarse.at;
+            << what << ": worst at " << fine.t << ", " << fine.size << " after "
+            << coarse.size << " at " << coarse.t;
     }
 };
 
@@ -85,7 +87,7 @@ Path straight(const Vec3& from, const Vec3& to) {
     return [=](double t) { return PathPoint{from + t * (to - from)}; };
 }
 
-/// Round a place, from one angle about +Z to another.
+/// Around `centre`, from one angle about +Z to another.
 Path arc(const Vec3& centre, double radius, double from, double to) {
     return [=](double t) {
         const double angle = from + t * (to - from);
@@ -96,48 +98,48 @@ Path arc(const Vec3& centre, double radius, double from, double to) {
 TEST(BindingContinuity, AlongStraightPathsAmongGuides) {
     const StandingGuides standing = standing_guides(150, 1, 31);
     for (const int k : {2, 3, 4, 8}) {
-        Walked walked{standing.guides, standing.normals, {.neighbours = k}};
-        walked.expect_continuous(straight({1, 1.3, 0}, {9, 7.1, 0}), "up");
-        walked.expect_continuous(straight({1, 8.7, 0}, {9, 2.4, 0}), "down");
+        PathBinder binder{standing.guides, standing.normals, {.neighbours = k}};
+        binder.expect_continuous(straight({1, 1.3, 0}, {9, 7.1, 0}), "up");
+        binder.expect_continuous(straight({1, 8.7, 0}, {9, 2.4, 0}), "down");
     }
 }
 
-TEST(BindingContinuity, RoundTheEndOfAParting) {
+TEST(BindingContinuity, AroundTheEndOfAParting) {
     const StandingGuides standing = standing_guides(150, 1, 31);
     const Polyline line{{5, 0, 0}, {5, 5, 0}};
     const Partings partings({&line, 1});
-    Walked walked{standing.guides, standing.normals, {}, &partings};
-    // From a quarter of a radian right of the parting to as much left of it.
+    PathBinder binder{standing.guides, standing.normals, {}, &partings};
+    // From 0.25 radian right of the parting to 0.25 radian left of it.
     const double down = -std::numbers::pi / 2;
     for (const double radius : {0.5, 1.0, 2.0}) {
-        walked.expect_continuous(
+        binder.expect_continuous(
             arc({5, 5, 0}, radius, down + 0.25, down + 2 * std::numbers::pi - 0.25),
-            "round the end");
+            "around the end");
     }
-    walked.expect_continuous(straight({5.3, 1, 0}, {5.3, 9, 0}), "beside it");
-    // Through the parting itself the weights do jump, in whatever step.
+    binder.expect_continuous(straight({5.3, 1, 0}, {5.3, 9, 0}), "beside it");
+    // Across the parting itself the weights jump for any step.
     const double through =
-        walked.largest_jump(straight({4, 2.2, 0}, {6, 2.3, 0}), 64000).size;
+        binder.largest_jump(straight({4, 2.2, 0}, {6, 2.3, 0}), 64000).size;
     EXPECT_GT(through, 0.1);
 }
 
-TEST(BindingContinuity, RoundTheBendsOfAParting) {
+TEST(BindingContinuity, AroundTheBendsOfAParting) {
     const StandingGuides standing = standing_guides(150, 1, 33);
     const Polyline zigzag{{5, 0, 0}, {5.6, 2, 0}, {4.6, 4, 0}, {5.8, 6, 0}, {5, 10, 0}};
     const Partings partings({&zigzag, 1});
-    Walked walked{standing.guides, standing.normals, {}, &partings};
-    walked.expect_continuous(straight({6.2, 0.5, 0}, {6.2, 9.5, 0}), "right of it");
-    walked.expect_continuous(straight({4.2, 0.5, 0}, {4.2, 9.5, 0}), "left of it");
+    PathBinder binder{standing.guides, standing.normals, {}, &partings};
+    binder.expect_continuous(straight({6.2, 0.5, 0}, {6.2, 9.5, 0}), "right of it");
+    binder.expect_continuous(straight({4.2, 0.5, 0}, {4.2, 9.5, 0}), "left of it");
 }
 
-TEST(BindingContinuity, UpToTheGreatestDistance) {
+TEST(BindingContinuity, UpToTheMaximumDistance) {
     const StandingGuides standing = standing_guides(400, 1, 35);
-    // So near that guides come and go by it, and that one at least is always within it.
-    Walked walked{standing.guides, standing.normals, {.max_distance = 0.9}};
-    walked.expect_continuous(straight({1, 1.3, 0}, {9, 7.1, 0}), "near");
+    // Small enough that guides come and go, large enough that one is always within it.
+    PathBinder binder{standing.guides, standing.normals, {.max_distance = 0.9}};
+    binder.expect_continuous(straight({1, 1.3, 0}, {9, 7.1, 0}), "near");
 }
 
-TEST(BindingContinuity, UpToTheGreatestAngle) {
+TEST(BindingContinuity, UpToTheMaximumAngle) {
     StandingGuides standing = standing_guides(300, 1, 37);
     std::mt19937 random(38);
     std::normal_distribution<float> lean(0, 0.4f);
@@ -145,8 +147,8 @@ TEST(BindingContinuity, UpToTheGreatestAngle) {
         const float x = lean(random), y = lean(random);
         n = Vec3f(x, y, 1).normalized();
     }
-    Walked walked{standing.guides, standing.normals, {.max_angle = 0.9}};
-    walked.expect_continuous(
+    PathBinder binder{standing.guides, standing.normals, {.max_angle = 0.9}};
+    binder.expect_continuous(
         [](double t) {
             return PathPoint{
                 Vec3(1, 2, 0) + 8 * t * Vec3(1, 0.6, 0),
@@ -155,11 +157,11 @@ TEST(BindingContinuity, UpToTheGreatestAngle) {
         "leaning");
 }
 
-TEST(BindingContinuity, WhereGuidesTurnTheirBacks) {
+TEST(BindingContinuity, AsGuidesTurnAway) {
     const StandingGuides standing = standing_guides(150, 1, 39);
-    Walked walked{standing.guides, standing.normals, {}};
-    // The child's normal goes all the way round: all guides face, some, none.
-    walked.expect_continuous(
+    PathBinder binder{standing.guides, standing.normals, {}};
+    // The child's normal makes a full turn: all guides face it, some, none.
+    binder.expect_continuous(
         [](double t) {
             return PathPoint{Vec3(2, 2, 0) + 6 * t * Vec3(1, 0.7, 0),
                              Vec3(std::sin(2 * std::numbers::pi * t), 0,
@@ -168,8 +170,7 @@ TEST(BindingContinuity, WhereGuidesTurnTheirBacks) {
         "turning", 2000);
 }
 
-/// Along the made head, over ears and crown, beside its parting and round its end.
-TEST(BindingContinuity, OnTheMadeHeadRoundItsParting) {
+TEST(BindingContinuity, OnTheMadeHeadAroundItsParting) {
     GroomSettings groom;
     groom.guides.number = 150;
     groom.made.strands = 150;
@@ -179,23 +180,23 @@ TEST(BindingContinuity, OnTheMadeHeadRoundItsParting) {
     const ReadyGroom made = make_ready_groom(groom);
     ASSERT_EQ(made.placed.partings.size(), 1u);
     const Partings partings(made.placed.partings);
-    Walked walked{made.placed.guides, made.placed.normals, {}, &partings};
+    PathBinder binder{made.placed.guides, made.placed.normals, {}, &partings};
     const auto on_head = [](const Vec3& direction) {
         const Vec3 unit = direction.normalized();
         return PathPoint{unit.cwiseProduct(kMadeHead),
                          unit.cwiseQuotient(kMadeHead).normalized()};
     };
-    walked.expect_continuous(
+    binder.expect_continuous(
         [&](double t) {
             return on_head({0.08, 1, 0.9 - 1.5 * t});
         },
         "beside the parting");
-    walked.expect_continuous(
+    binder.expect_continuous(
         [&](double t) {
             const double angle = std::numbers::pi * (t - 0.5);
             return on_head({0.3 * std::sin(angle), 1, -0.16 - 0.3 * std::cos(angle)});
         },
-        "round its end");
+        "around its end");
 }
 
 TEST(BindingContinuity, BetweenTheRootsOfARealGroom) {
@@ -212,11 +213,11 @@ TEST(BindingContinuity, BetweenTheRootsOfARealGroom) {
     groom.strands = 100;
     groom.intervals = 3;
     const ReadyGroom sintel = make_ready_groom(groom);
-    Walked walked{sintel.placed.guides, sintel.placed.normals, groom.bind};
+    PathBinder binder{sintel.placed.guides, sintel.placed.normals, groom.bind};
     const auto& roots = sintel.binding.roots;
     for (std::size_t i = 0; i + 1 < 12; ++i) {
-        // Straight from child to child, with normals between theirs.
-        walked.expect_continuous(
+        // A straight line from child to child, with interpolated normals.
+        binder.expect_continuous(
             [&](double t) {
                 const auto between = [&](const Vec3f& a, const Vec3f& b) -> Vec3 {
                     return (1 - t) * a.cast<double>() + t * b.cast<double>();

@@ -1,4 +1,4 @@
-// What binding does where no guide will serve.
+// The fallbacks of binding.
 
 #include "procedural/bind/binding.h"
 
@@ -27,7 +27,7 @@ TEST(BindingFallbacks, CountsChildrenThatNoGuideFaces) {
     const Binding blind =
         bind(roots, standing.guides, standing.normals, {.facing = false});
     EXPECT_EQ(blind.report.no_facing_guide, 0u);
-    // Those go by distance alone.
+    // Their weights depend on distance only.
     for (std::size_t j = 0; j < 15 * 4; ++j) {
         EXPECT_EQ(binding.weights[j], blind.weights[j]);
     }
@@ -35,13 +35,13 @@ TEST(BindingFallbacks, CountsChildrenThatNoGuideFaces) {
 
 TEST(BindingFallbacks, CountsOpposedRootFrames) {
     StandingGuides standing = standing_guides(2, 1, 13);
-    // Two guides that lie down, apart from each other; the child is half way.
+    // Two guides that lie flat and point away from each other; the child is halfway.
     standing.guides.root_positions = {Vec3(-1, 0, 0), Vec3(1, 0, 0)};
     standing.guides.root_frames[0] = Mat3::Identity();
     standing.guides.root_frames[1] = Vec3(-1, -1, 1).asDiagonal();
     Roots roots = plane_roots(3, 1);
     roots.positions = {Vec3f(0, 0, 0), Vec3f(-0.9f, 0, 0), Vec3f(-0.9f, 0, 0)};
-    // The third sees the normals of both opposed to its own.
+    // The normals of both guides are opposed to the third child's.
     roots.normals[2] = -Vec3f::UnitZ();
     const Binding binding =
         bind(roots, standing.guides, standing.normals, {.facing = false});
@@ -54,7 +54,7 @@ TEST(BindingFallbacks, CountsChildrenOfStraightGuides) {
         return standing.guides.root_positions[g].x() < 5;
     };
     for (std::size_t g = 0; g < 40; ++g) {
-        // One that is twisted alone is straight as well.
+        // A guide with torsion only is straight too.
         for (std::size_t q = 3 * g; q < 3 * g + 3 && straight(g); ++q) {
             standing.guides.curvatures[q] = Vec3(0.1, 0, 0);
         }
@@ -73,9 +73,9 @@ TEST(BindingFallbacks, CountsChildrenOfStraightGuides) {
     EXPECT_EQ(binding.report.straight_guides, expected);
 }
 
-TEST(BindingFallbacks, OutOfReachAChildStillFollowsAGuideThatItSees) {
-    // Five guides a centimetre away across a parting, one in sight at 3 cm, both beyond
-    // the greatest distance.
+TEST(BindingFallbacks, OutOfReachAChildFollowsAVisibleGuide) {
+    // Five guides 1 cm away across a parting, one visible at 3 cm, all beyond the maximum
+    // distance.
     StandingGuides standing = standing_guides(6, 1, 29);
     for (int g = 0; g < 5; ++g) {
         standing.guides.root_positions[g] = Vec3(1 + 0.05 * g, 0.1 * g, 0);
@@ -98,7 +98,7 @@ TEST(BindingFallbacks, OutOfReachAChildStillFollowsAGuideThatItSees) {
     EXPECT_EQ(binding.weights[0], 1.0f);
 }
 
-TEST(BindingFallbacks, CountsChildrenThatPartingsShutIn) {
+TEST(BindingFallbacks, CountsChildrenEnclosedByPartings) {
     const StandingGuides standing = standing_guides(10, 1, 27);
     Roots roots = plane_roots(2, 28);
     roots.positions = {Vec3f(20, 20, 0), Vec3f(5, 5, 0)};
@@ -113,9 +113,8 @@ TEST(BindingFallbacks, CountsChildrenThatPartingsShutIn) {
     EXPECT_EQ(binding.weights[0], 1);
 }
 
-/// The lengths of what `binding` grows, measured between control points, are never more
-/// than the intended ones: a control polygon of a curve that is as long as it should be
-/// is longer by a few per cent at most, and a NaN is neither.
+/// Expects the control polygons of all children to be no longer than the intended lengths
+/// allow; the polygon of a correct curve is at most a few per cent longer. A NaN fails.
 void expect_sound(const Binding& binding, const Guides& guides) {
     for (const BlendTraits& blend : blends()) {
         const auto profiles = guide_profiles<float>(guides, 32);
@@ -126,8 +125,8 @@ void expect_sound(const Binding& binding, const Guides& guides) {
             for (std::size_t p = i * points + 1; p < (i + 1) * points; ++p) {
                 length += (curves.points[p].xyz() - curves.points[p - 1].xyz()).norm();
             }
-            // The first and last control points lie an interval outside the curve at
-            // most.
+            // The first and last control points are at most one interval beyond the
+            // curve.
             EXPECT_LE(length, binding.lengths[i] * 1.2f) << blend.name << ", child " << i;
         }
     }
@@ -135,7 +134,7 @@ void expect_sound(const Binding& binding, const Guides& guides) {
 
 TEST(BindingFallbacks, GrowsSoundStrandsInEveryFallback) {
     StandingGuides standing = standing_guides(12, 4, 41);
-    // Two that point apart along the surface, one turned upside down, one straight.
+    // Two guides that point apart along the surface, one upside down, one straight.
     standing.guides.root_frames[0] = Mat3::Identity();
     standing.guides.root_frames[1] = Vec3(-1, -1, 1).asDiagonal();
     standing.guides.root_positions[0] = Vec3(-1, -20, 0);
@@ -155,7 +154,7 @@ TEST(BindingFallbacks, GrowsSoundStrandsInEveryFallback) {
     const Partings partings({&square, 1});
     borders.partings = &partings;
     roots.positions[40] = Vec3f(0.5f, 0.5f, 0);
-    for (std::size_t g = 0; g < 12; ++g) {  // nobody lives in the square
+    for (std::size_t g = 0; g < 12; ++g) {  // no guide in the square
         Vec3& p = standing.guides.root_positions[g];
         if (p.x() < 2 && p.y() < 2 && p.y() > -2) p.x() += 3;
     }

@@ -46,7 +46,7 @@ TEST(Binding, LengthIsTheWeightedLengthOfTheGuidesTimesTheScale) {
                 sum += binding.weights[k];
             }
             EXPECT_NEAR(sum, 1, 4 * 3e-8);
-            // One rounding to float.
+            // Rounded to float once.
             EXPECT_NEAR(binding.lengths[i], scale * length, 1e-7 * length);
         }
     }
@@ -75,11 +75,11 @@ TEST(Binding, AChildOnAGuidesRootIsThatGuide) {
     const auto profiles = guide_profiles<double>(standing.guides, 6);
     for (std::size_t i = 0; i < 20; ++i) {
         const BoundChild<double> bound = bound_child(binding, profiles, i);
-        // The root, rounded to float, is within 1e-6 of the guide's; the next one is some
-        // 0.1 away, so that its share is below (1e-5)^2.
+        // The root, rounded to float, is within 1e-6 of the guide's; the next guide is
+        // about 0.1 away, so that its weight is below (1e-5)^2.
         EXPECT_EQ(bound.guides[0], i);
         EXPECT_NEAR(bound.weights[0], 1, 1e-9);
-        // No turn from a normal to itself.
+        // The rotation from a normal to itself is the identity.
         EXPECT_EQ(bound.to_space[0], standing.guides.root_frames[i]);
         EXPECT_NEAR(bound.length, guide_length(standing.guides, i), 1e-6 * bound.length);
     }
@@ -94,15 +94,15 @@ TEST(Binding, TurnsAGuidesFrameByTheSmallestRotationToTheChildsNormal) {
     const BoundChild<double> bound = bound_child(binding, profiles, 0);
     const Vec3 from = Vec3::UnitZ(), to = roots.normals[0].cast<double>();
     const Mat3 turn = bound.to_space[0] * standing.guides.root_frames[0].transpose();
-    // The normal in floats is a unit vector to 1e-7.
+    // The normal has unit length to 1e-7 in float.
     EXPECT_LT((turn * from - to).norm(), 2e-7);
     EXPECT_LT((turn.transpose() * turn - Mat3::Identity()).norm(), 1e-6);
-    // The smallest of the rotations that do so leaves the axis across both where it is.
+    // The smallest of these rotations keeps the axis across both normals fixed.
     const Vec3 axis = from.cross(to).normalized();
     EXPECT_LT((turn * axis - axis).norm(), 2e-7);
 }
 
-TEST(Binding, GuidesBeyondTheGreatestDistanceHaveNoWeight) {
+TEST(Binding, GuidesBeyondTheMaximumDistanceHaveNoWeight) {
     const StandingGuides standing = standing_guides(100, 1, 21);
     const Roots roots = plane_roots(2000, 22);
     const Binding binding =
@@ -131,7 +131,7 @@ TEST(Binding, GuidesBeyondTheGreatestDistanceHaveNoWeight) {
     EXPECT_EQ(binding.report.no_guide_in_reach, out_of_reach);
 }
 
-TEST(Binding, GuidesBeyondTheGreatestAngleHaveNoWeight) {
+TEST(Binding, GuidesBeyondTheMaximumAngleHaveNoWeight) {
     StandingGuides standing = standing_guides(100, 1, 23);
     for (std::size_t g = 0; g < 100; g += 2) {
         standing.normals[g] = Vec3f(std::sin(0.4f), 0, std::cos(0.4f));
@@ -141,7 +141,7 @@ TEST(Binding, GuidesBeyondTheGreatestAngleHaveNoWeight) {
     for (std::size_t j = 0; j < binding.weights.size(); ++j) {
         EXPECT_TRUE(binding.weights[j] == 0 || binding.guides[j] % 2 == 1);
     }
-    // The next ones that are within it take their place.
+    // The next guides within the angle replace them.
     for (std::size_t i = 0; i < binding.size(); ++i) {
         EXPECT_EQ(std::ranges::count_if(std::span(&binding.weights[4 * i], 4),
                                         [](float w) { return w > 0; }),
@@ -196,8 +196,9 @@ TEST(Binding, NoChildsGuidesLieAcrossAParting) {
         };
         for (std::size_t i = 0; i + 1 < bent.size(); ++i) {
             const Vec3 &p = bent[i], &q = bent[i + 1];
-            if (side(p, q, a) != side(p, q, b) && side(a, b, p) != side(a, b, q))
+            if (side(p, q, a) != side(p, q, b) && side(a, b, p) != side(a, b, q)) {
                 return true;
+            }
         }
         return false;
     };
@@ -218,11 +219,11 @@ TEST(Binding, HasNoMoreNeighboursThanGuides) {
         bind(plane_roots(20, 16), standing.guides, standing.normals, {.neighbours = 8});
     EXPECT_EQ(binding.neighbours, 3);
     EXPECT_EQ(binding.weights.size(), 60u);
-    // With every guide a neighbour there is no reach: none has weight zero.
+    // If every guide is a neighbour, the reach is infinite and no weight is zero.
     EXPECT_GT(*std::ranges::min_element(binding.weights), 0);
 }
 
-TEST(Binding, RejectsWhatCannotBeBound) {
+TEST(Binding, RejectsMissingGuidesAndBadNeighbourCounts) {
     const StandingGuides standing = standing_guides(3, 1, 17);
     EXPECT_THROW(bind(plane_roots(2, 1), {}, {}, {}), std::invalid_argument);
     for (const int neighbours : {0, -1, kMaxNeighbours + 1}) {
@@ -258,7 +259,8 @@ TEST(Binding, CountsItsBytes) {
     const StandingGuides standing = standing_guides(10, 1, 18);
     const Binding binding =
         bind(plane_roots(100, 1), standing.guides, standing.normals, {.neighbours = 3});
-    // Positions and normals, three guides and weights, a length; and a normal a guide.
+    // Per child: position and normal, three guides and weights, a length; per guide: a
+    // normal.
     EXPECT_EQ(binding.bytes(), 100u * (2 * 12 + 3 * (4 + 4) + 4) + 10 * 12);
 }
 

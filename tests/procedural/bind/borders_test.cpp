@@ -29,23 +29,23 @@ GroomSettings small_groom() {
 TEST(Borders, NoChildOfTheMadeGroomHasAGuideAcrossItsParting) {
     const ReadyGroom made = make_ready_groom(small_groom());
     const Binding& binding = made.binding;
-    // Where the parting lies, in front of the crown and behind the hairline.
-    std::size_t looked_at = 0;
+    // The parting lies in front of the crown and behind the hairline.
+    std::size_t tested = 0;
     for (std::size_t i = 0; i < binding.size(); ++i) {
         const Vec3f& child = binding.roots.positions[i];
         if (child.z() < 0 || child.z() > 7) continue;
         for (std::size_t j = 4 * i; j < 4 * i + 4; ++j) {
             const Vec3& guide = made.placed.guides.root_positions[binding.guides[j]];
             if (guide.z() < 0 || guide.z() > 7) continue;
-            ++looked_at;
+            ++tested;
             EXPECT_GT(double(child.x()) * guide.x(), 0) << "child " << i;
         }
     }
-    EXPECT_GT(looked_at, 2000u);
+    EXPECT_GT(tested, 2000u);
     EXPECT_EQ(binding.report.no_guide_in_sight, 0u);
 }
 
-TEST(Borders, AGroomsOwnPartingStandsInForTheMadeOne) {
+TEST(Borders, AGroomsPartingReplacesTheMadeOne) {
     GroomSettings groom = small_groom();
     // From ear to ear, drawn above the head.
     groom.partings = {{{-7, 8, 0.5}, {7, 8, 0.5}}};
@@ -58,9 +58,9 @@ TEST(Borders, AGroomsOwnPartingStandsInForTheMadeOne) {
                 testing::Contains(HasSubstr("off the scalp")));
 }
 
-TEST(Borders, RegionsOfStrandsAreThoseOfTheirLinesThoughSomeAreDropped) {
+TEST(Borders, RegionsOfStrandsAreThoseOfTheirLinesEvenIfSomeAreDropped) {
     const TemporaryFolder folder;
-    // Strands 1 and 3 of the file are single points; the others stand at x = 0, 2, 4.
+    // Strands 1 and 3 of the file are single points; the others are at x = 0, 2, 4.
     Strands strands;
     for (int i = 0; i < 3; ++i) {
         for (int p = 0; p < 4; ++p) {
@@ -70,8 +70,8 @@ TEST(Borders, RegionsOfStrandsAreThoseOfTheirLinesThoughSomeAreDropped) {
     }
     write_hair(folder / "three.hair", strands);
     std::string bytes = read_bytes(folder / "three.hair");
-    const auto insert = [&](std::size_t at, const void* data, std::size_t size) {
-        bytes.insert(at, static_cast<const char*>(data), size);
+    const auto insert = [&](std::size_t offset, const void* data, std::size_t size) {
+        bytes.insert(offset, static_cast<const char*>(data), size);
     };
     const float place[3] = {9, 9, 9};
     const std::uint16_t none = 0;
@@ -93,7 +93,7 @@ TEST(Borders, RegionsOfStrandsAreThoseOfTheirLinesThoughSomeAreDropped) {
     const ReadyGroom made = make_ready_groom(groom);
     EXPECT_EQ(made.placed.grown.regions.strands,
               (std::vector<std::uint32_t>{10, 11, 12}));
-    // Each child has its own strand's region, and so that strand's guide alone.
+    // Each child has the region of its strand, and so only that strand's guide.
     ASSERT_EQ(made.binding.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t k = std::size_t(made.binding.neighbours);
@@ -106,7 +106,7 @@ TEST(Borders, RegionsOfStrandsAreThoseOfTheirLinesThoughSomeAreDropped) {
 TEST(Borders, EveryRegionWithStrandsGetsAGuide) {
     const TemporaryFolder folder;
     std::string ids;
-    // Five strands are regions of their own.
+    // Five strands have a region each.
     for (int i = 0; i < 300; ++i) ids += i % 60 == 7 ? std::to_string(i) + "\n" : "0\n";
     write_bytes(folder / "ids.txt", ids);
     GroomSettings groom = small_groom();
@@ -123,11 +123,11 @@ TEST(Borders, EveryRegionWithStrandsGetsAGuide) {
                 testing::Contains(HasSubstr("were given one each")));
 }
 
-TEST(Borders, ATextureNeedsUvsToLieOn) {
+TEST(Borders, ATextureNeedsUvs) {
     const TemporaryFolder folder;
     GroomSettings groom = small_groom();
     groom.regions.texture = folder / "none.png";
-    EXPECT_THROW(make_ready_groom(groom), InputError);  // the map is not there
+    EXPECT_THROW(make_ready_groom(groom), InputError);  // there is no such image
     const MadeGroom made = make_groom(groom.made);
     TriangleMesh bare = made.scalp;
     bare.uvs.clear();
@@ -143,7 +143,7 @@ TEST(Borders, ATextureNeedsUvsToLieOn) {
 
 TEST(Borders, ATextureDividesChildrenAndGuidesAlike) {
     const ReadyGroom made = make_ready_groom(small_groom());
-    // A map of two halves along u, which goes round the head.
+    // A map of two halves along u, which runs around the head.
     Regions regions;
     regions.map = RegionMap{2, 1, {0, 1}, 2};
     const auto of_guides = regions_at(regions, made.placed.scalp, made.placed.grown.roots,

@@ -16,7 +16,7 @@ namespace {
 
 const Vec3 kUp = Vec3::UnitZ();
 
-/// How well a child at `child` sees a guide at `guide`.
+/// Visibility of a guide at `guide` from a child at `child`.
 double sight_of(const Partings& partings, const Vec3& child, const Vec3& guide,
                 const Vec3& up = kUp) {
     std::vector<SeenPiece> seen;
@@ -25,7 +25,7 @@ double sight_of(const Partings& partings, const Vec3& child, const Vec3& guide,
     return sight(seen_place(child, up, guide), seen);
 }
 
-TEST(Partings, HideWhatTheStraightLineCrosses) {
+TEST(Partings, HideGuidesAcrossTheStraightLine) {
     const Polyline line{{0, -1, 0}, {0, 1, 0}};
     const Partings partings({&line, 1});
     EXPECT_EQ(sight_of(partings, {-1, 0, 0}, {1, 0.3, 0}), 0);
@@ -33,9 +33,9 @@ TEST(Partings, HideWhatTheStraightLineCrosses) {
     EXPECT_EQ(sight_of(partings, {-1, 2, 0}, {1, 2, 0}), 1);
 }
 
-TEST(Partings, SightGrowsInStraightLineWithTheWayPastAnEnd) {
-    // The end is passed in the middle of a line of 2 cm, 1 cm from either root: the width
-    // is kSightSlope of that.
+TEST(Partings, SightRisesLinearlyWithTheDistanceFromAnEnd) {
+    // The line of 2 cm passes the end in its middle, 1 cm from either root: the width is
+    // kSightSlope of that.
     const Polyline line{{0, -3, 0}, {0, 0, 0}};
     const Partings partings({&line, 1});
     for (const double share : {0.1, 0.5, 0.9, 1.0, 1.5}) {
@@ -46,29 +46,30 @@ TEST(Partings, SightGrowsInStraightLineWithTheWayPastAnEnd) {
 }
 
 TEST(Partings, HideWhatIsBehindEitherArmOfAHorseshoe) {
-    // Both arms are crossed: an even number of crossings does not make a guide seen.
+    // Both arms are crossed: an even number of crossings does not make a guide visible.
     const Polyline line{{-1, -2, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -2, 0}};
     const Partings partings({&line, 1});
     EXPECT_EQ(sight_of(partings, {-2, 0, 0}, {2, 0.1, 0}), 0);
     EXPECT_EQ(sight_of(partings, {-0.5, 0, 0}, {0.5, 0.2, 0}), 1);
 }
 
-TEST(Partings, SeeNoPartingOnTheFarSideOfAHead) {
-    // Laid on the child's plane the parting below the head crosses the line of sight.
+TEST(Partings, OnTheFarSideOfAHeadHideNothing) {
+    // Projected onto the child's plane, the parting below the head crosses the line of
+    // sight.
     Polyline line;
     for (int i = -10; i <= 10; ++i) line.push_back(10 * Vec3(0, 0.05 * i, -1));
     const Partings partings({&line, 1});
     EXPECT_EQ(sight_of(partings, {-1, 0, 10}, {1, 0, 10}), 1);
 }
 
-TEST(Partings, HideWhatTheyCrossThoughDrawnABitAboveTheScalp) {
+TEST(Partings, HideWhatTheyCrossIfDrawnSlightlyAboveTheScalp) {
     const Polyline line{{0, -1, 0.2}, {0, 1, 0.3}};
     const Partings partings({&line, 1});
-    // Up to half of 0.5 cm + half the length it counts in full.
+    // It has its full effect up to half of 0.5 cm + half the length.
     EXPECT_EQ(sight_of(partings, {-0.1, 0, 0}, {0.1, 0, 0}), 0);
 }
 
-TEST(Partings, AreTheSameHoweverTheyAreDivided) {
+TEST(Partings, DoNotDependOnTheirDivision) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(-2, 2);
     const Polyline coarse{{-1, -1, 0}, {0.5, -0.2, 0}, {0, 1.5, 0}};
@@ -78,7 +79,7 @@ TEST(Partings, AreTheSameHoweverTheyAreDivided) {
     for (int i = 0; i < 2000; ++i) {
         const Vec3 child(place(random), place(random), 0);
         const Vec3 guide(place(random), place(random), 0);
-        // The same maximum, found at more places; a place between two points is rounded.
+        // The same maximum over more pieces, whose ends are rounded.
         EXPECT_NEAR(sight_of(a, child, guide), sight_of(b, child, guide), 1e-9);
     }
 }
@@ -90,13 +91,13 @@ TEST(Partings, OfAnyLengthHaveABoundedNumberOfPieces) {
     EXPECT_EQ(sight_of(partings, {3, -1, 0}, {3, 1, 0}), 0);
 }
 
-TEST(Partings, RefuseWhatIsNoLine) {
+TEST(Partings, RejectPointsAndNonFiniteLines) {
     const Polyline point{{0, 0, 0}};
     const Polyline broken{{0, 0, 0}, {0, NAN, 0}};
     EXPECT_THROW(Partings({&point, 1}), std::invalid_argument);
     EXPECT_THROW(Partings({&broken, 1}), std::invalid_argument);
     EXPECT_EQ(Partings({}).size(), 0u);
-    // Two points in one place hide nothing beside them, and are no error.
+    // Two coincident points are allowed and hide nothing.
     const Polyline still{{0, 0, 0}, {0, 0, 0}};
     EXPECT_EQ(sight_of(Partings({&still, 1}), {1, 1, 0}, {2, 1, 0}), 1);
 }
@@ -104,7 +105,7 @@ TEST(Partings, RefuseWhatIsNoLine) {
 TEST(Partings, OnTheScalpFollowItBetweenTheirPoints) {
     const MadeGroom made = make_groom({.strands = 1});
     const std::optional<Scalp> scalp = make_scalp(made.scalp);
-    // A chord through the head, from the front over the crown to the back.
+    // A chord through the head, from front to back.
     const std::vector<Polyline> chord{{{0, 9, 5.4}, {0, 9, -5.4}}};
     double farthest = 0;
     const auto laid = partings_on_scalp(chord, scalp, farthest);

@@ -24,8 +24,8 @@ std::string error_of(Call call) {
     return "no error";
 }
 
-void write_picture(const std::filesystem::path& path, int width, int height, int channels,
-                   const std::vector<std::uint8_t>& values) {
+void write_image(const std::filesystem::path& path, int width, int height, int channels,
+                 const std::vector<std::uint8_t>& values) {
     const auto file = OIIO::ImageOutput::create(path.string());
     ASSERT_TRUE(file);
     ASSERT_TRUE(
@@ -36,10 +36,10 @@ void write_picture(const std::filesystem::path& path, int width, int height, int
 
 TEST(RegionMap, HasARegionForEachColour) {
     const TemporaryFolder folder;
-    // Two colours that differ by one code in one channel are two.
-    write_picture(folder / "m.png", 3, 2, 3,
-                  {255, 0, 0, 0, 0, 255, 255, 0, 0,  //
-                   254, 0, 0, 254, 0, 0, 0, 0, 255});
+    // Colours that differ by 1 of 255 in one channel are different.
+    write_image(folder / "m.png", 3, 2, 3,
+                {255, 0, 0, 0, 0, 255, 255, 0, 0,  //
+                 254, 0, 0, 254, 0, 0, 0, 0, 255});
     const RegionMap map = read_region_map(folder / "m.png");
     EXPECT_EQ(map.width, 3);
     EXPECT_EQ(map.height, 2);
@@ -53,35 +53,35 @@ TEST(RegionMap, IsLookedUpAtTheNearestTexelWithVUpwards) {
     EXPECT_EQ(region_at(map, {0.51, 0.51}), 1u);
     EXPECT_EQ(region_at(map, {0.49, 0.49}), 2u);
     EXPECT_EQ(region_at(map, {0.75, 0.25}), 3u);
-    // The map's own edges belong to it; beyond them it repeats.
+    // The edges belong to the map; beyond them it repeats.
     EXPECT_EQ(region_at(map, {0, 0}), 2u);
     EXPECT_EQ(region_at(map, {1, 1}), 1u);
     EXPECT_EQ(region_at(map, {1.25, -0.25}), 0u);
 }
 
-TEST(RegionMap, RefusesMoreColoursThanAnybodyPaints) {
+TEST(RegionMap, RejectsMoreThan4096Colours) {
     const TemporaryFolder folder;
     std::vector<std::uint8_t> noise;
     for (int i = 0; i < 5000; ++i) {
         for (const int c : {i % 256, i / 256, 7}) noise.push_back(std::uint8_t(c));
     }
-    write_picture(folder / "noise.png", 100, 50, 3, noise);
+    write_image(folder / "noise.png", 100, 50, 3, noise);
     EXPECT_THAT(error_of([&] { read_region_map(folder / "noise.png"); }),
                 testing::AllOf(HasSubstr("noise.png: "), HasSubstr("4096")));
 }
 
-TEST(RegionMap, RefusesWhatIsNoPicture) {
+TEST(RegionMap, RejectsFilesThatAreNotImages) {
     const TemporaryFolder folder;
     EXPECT_THAT(error_of([&] { read_region_map(folder / "none.png"); }),
                 HasSubstr("none.png: there is no such image"));
     EXPECT_THAT(error_of([&] { read_region_map(folder / "."); }),
                 HasSubstr("there is no such image"));
-    std::ofstream(folder / "text.png") << "this is no picture";
+    std::ofstream(folder / "text.png") << "not an image";
     EXPECT_THAT(error_of([&] { read_region_map(folder / "text.png"); }),
-                HasSubstr("text.png: not a picture"));
+                HasSubstr("text.png: not a readable image"));
 }
 
-TEST(RegionIds, AreALineEach) {
+TEST(RegionIds, AreOnePerLine) {
     const TemporaryFolder folder;
     std::ofstream(folder / "ids.txt") << "# left, right\n3\n 0 \r\n\n4294967295 # last";
     EXPECT_EQ(read_region_ids(folder / "ids.txt", 3),
@@ -99,8 +99,7 @@ TEST(RegionIds, NameTheLineThatIsWrong) {
     EXPECT_THAT(error("1 2 3\n"), HasSubstr("ids.txt:1: '1 2 3'"));
     EXPECT_THAT(error("4294967296\n"), HasSubstr("ids.txt:1: "));
     EXPECT_THAT(error("1\n2\n"), HasSubstr("ids.txt:3: the file ends after 2"));
-    EXPECT_THAT(error("1\n2\n3\n4\n"),
-                HasSubstr("ids.txt:4: more regions than the 3"));
+    EXPECT_THAT(error("1\n2\n3\n4\n"), HasSubstr("ids.txt:4: more regions than the 3"));
     EXPECT_THAT(error(""), HasSubstr("the file ends after 0"));
     EXPECT_THAT(error_of([&] { read_region_ids(folder / "none.txt", 3); }),
                 HasSubstr("none.txt: cannot be opened"));

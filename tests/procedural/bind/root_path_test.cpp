@@ -1,4 +1,4 @@
-// Children along a path of roots: what is smooth over the scalp, and what is not.
+// Children along a path of roots: which blends are continuous over the scalp.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,12 +8,12 @@
 namespace lancret {
 namespace {
 
-/// The largest that a place of neighbours on the path differs by, cm, each seen from its
-/// root.
+/// The largest difference of a place, relative to the root, between neighbours on the
+/// path, cm.
 struct Jumps {
     double place = 0;
-    double same_curl = 0;  ///< of a place, where the heaviest guide is the same
-    int at = 0;            ///< the step of the largest difference of places
+    double same_curl = 0;  ///< between neighbours with the same heaviest guide
+    int step = 0;          ///< of the largest difference
 };
 
 std::uint32_t heaviest(const Binding& binding, std::size_t i) {
@@ -22,7 +22,7 @@ std::uint32_t heaviest(const Binding& binding, std::size_t i) {
                           binding.weights.begin()];
 }
 
-/// Steps along half a circle at the side of the made head, clear of its parting.
+/// Along an arc on the side of the made head, clear of its parting.
 Jumps jumps_of(const ReadyGroom& groom, Blend blend, int steps) {
     Roots roots;
     for (int i = 0; i <= steps; ++i) {
@@ -41,7 +41,7 @@ Jumps jumps_of(const ReadyGroom& groom, Blend blend, int steps) {
         synthesize_child<double>(binding, profiles, blend, i, now);
         for (int j = 0; j <= 96 && i > 0; ++j) {
             const double moved = (now[j].position - before[j].position).norm();
-            if (moved > out.place) out.at = i;
+            if (moved > out.place) out.step = i;
             out.place = std::max(out.place, moved);
             if (heaviest(binding, i) == heaviest(binding, i - 1)) {
                 out.same_curl = std::max(out.same_curl, moved);
@@ -52,7 +52,7 @@ Jumps jumps_of(const ReadyGroom& groom, Blend blend, int steps) {
     return out;
 }
 
-TEST(RootPath, SumsAreSmoothAndDetailJumpsOnlyWhereTheHeaviestGuideChanges) {
+TEST(RootPath, SumsAreContinuousAndDetailJumpsOnlyIfTheHeaviestGuideChanges) {
     GroomSettings groom;
     groom.made.strands = 400;
     groom.guides.number = 150;
@@ -64,14 +64,14 @@ TEST(RootPath, SumsAreSmoothAndDetailJumpsOnlyWhereTheHeaviestGuideChanges) {
                     fine = jumps_of(made, entry.blend, 4000);
         fmt::print("| {} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {} of 4000 |\n",
                    entry.name, coarse.place, fine.place, coarse.same_curl, fine.same_curl,
-                   fine.at);
-        // Half the step, half the largest difference; weights are Lipschitz, not smooth,
-        // so that the largest may fall between steps.
+                   fine.step);
+        // Half the step gives half the largest difference; weights are Lipschitz, not
+        // smooth, so that the maximum may fall between steps.
         if (entry.rates == BlendRates::none) {
             EXPECT_LT(fine.place, 0.6 * coarse.place);
         }
         if (entry.blend == Blend::detail) {
-            // Only where another guide becomes the heaviest does its curl take over.
+            // The curl jumps only if another guide becomes the heaviest.
             EXPECT_LT(fine.same_curl, 0.6 * coarse.same_curl);
             EXPECT_LT(fine.place, jumps_of(made, Blend::nearest, 4000).place);
         }

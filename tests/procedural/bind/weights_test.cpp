@@ -14,12 +14,12 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 std::vector<float> weights_of(std::vector<double> distances, double reach,
                               std::vector<double> facing, double exponent,
-                              bool* found = nullptr) {
+                              bool* faced = nullptr) {
     std::vector<float> weights(distances.size());
     const std::vector<double> shares(distances.size(), 1.0);
     const WeightSource source =
         guide_weights(distances, shares, reach, facing, exponent, weights);
-    if (found) *found = source == WeightSource::facing;
+    if (faced) *faced = source == WeightSource::facing;
     return weights;
 }
 
@@ -35,7 +35,7 @@ TEST(Weights, SumToOneAndAreNeverNegative) {
         const double reach = d.back();
         d.pop_back();
         const auto weights = weights_of(d, reach, facing, power(random));
-        // Up to 8 floats below 1, each rounded by at most 2^-25.
+        // At most 8 floats below 1, each rounded by at most 2^-25.
         EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1, 8 * 3e-8);
         for (const float w : weights) EXPECT_GE(w, 0);
     }
@@ -50,7 +50,7 @@ TEST(Weights, WithoutAReachAreThePaperPowerLaw) {
     EXPECT_NEAR(weights[2], 0.0625 / sum, 1e-7);
 }
 
-TEST(Weights, FallToNothingAtTheReach) {
+TEST(Weights, FallToZeroAtTheReach) {
     // ((1/d - 1/4)+)^2: 9/16, 1/16, 0.
     const auto weights = weights_of({1, 2, 4}, 4, {1, 1, 1}, 2);
     EXPECT_NEAR(weights[0], 0.9, 1e-7);
@@ -63,31 +63,31 @@ TEST(Weights, ACoincidentGuideHasAllTheWeight) {
     EXPECT_EQ(weights, (std::vector<float>{1, 0, 0}));
 }
 
-TEST(Weights, ApproachAllAsAGuideIsApproached) {
+TEST(Weights, ApproachOneAsAGuideIsApproached) {
     // 1 / (1 + (d / 1)^2) at reach infinity: no step at the distance that counts as zero.
     const auto weights = weights_of({1e-6, 1}, kFar, {1, 1}, 2);
     EXPECT_NEAR(weights[0], 1, 1e-7);
 }
 
 TEST(Weights, AGuideThatFacesAwayHasNone) {
-    bool found = false;
-    const auto weights = weights_of({1, 2, 3}, 4, {-0.5, 1, -1e-9}, 2, &found);
-    EXPECT_TRUE(found);
+    bool faced = false;
+    const auto weights = weights_of({1, 2, 3}, 4, {-0.5, 1, -1e-9}, 2, &faced);
+    EXPECT_TRUE(faced);
     EXPECT_EQ(weights, (std::vector<float>{0, 1, 0}));
 }
 
-TEST(Weights, WhereNoneFacesGoByDistanceAloneAndThatIsTold) {
-    bool found = true;
-    const auto weights = weights_of({1, 2, 4}, 4, {-0.5, -1, 0}, 2, &found);
-    EXPECT_FALSE(found);
+TEST(Weights, DependOnDistanceOnlyIfNoneFaces) {
+    bool faced = true;
+    const auto weights = weights_of({1, 2, 4}, 4, {-0.5, -1, 0}, 2, &faced);
+    EXPECT_FALSE(faced);
     EXPECT_EQ(weights, weights_of({1, 2, 4}, 4, {1, 1, 1}, 2));
 }
 
-TEST(Weights, AreThePapersOwnFromTheLeastFacingOn) {
-    // Alone, guide 1 has a mean facing of its own share of the weights by distance, 0.1.
+TEST(Weights, AreThePapersFromTheMinimumFacingOn) {
+    // If only guide 1 faces, the mean facing is its weight by distance, 0.1.
     const auto above = weights_of({1, 2, 4}, 4, {-1, 1, 1}, 2);
     EXPECT_EQ(above, (std::vector<float>{0, 1, 0}));
-    // Of half the facing that is needed, the other half is missing for each guide:
+    // The mean facing is half of kMinFacing, so each guide gets the other half:
     // facing factors 0.025 and 0.25 + 0.025, times 0.9 and 0.1.
     const auto below = weights_of({1, 2, 4}, 4, {-1, 0.25, 1}, 2);
     EXPECT_NEAR(below[0], 0.0225 / (0.0225 + 0.0275), 1e-6);
@@ -95,8 +95,8 @@ TEST(Weights, AreThePapersOwnFromTheLeastFacingOn) {
 
 TEST(Weights, AreContinuousAsTheLastGuideTurnsAway) {
     // Facing factors change by at most 1 / kMinFacing times the change of a facing, and
-    // weights by twice that: in steps of 1e-5, by 4e-4. The last of the paper's weights
-    // jumps from 1 to 0.
+    // weights by twice that: 4e-4 in steps of 1e-5. The paper's last weight jumps from 1
+    // to 0.
     std::vector<float> before = weights_of({1, 2, 3}, 4, {-1, 0.3, -1}, 2);
     for (double facing = 0.3; facing > -0.01; facing -= 1e-5) {
         const auto now = weights_of({1, 2, 3}, 4, {-1, facing, -1}, 2);
@@ -105,12 +105,12 @@ TEST(Weights, AreContinuousAsTheLastGuideTurnsAway) {
     }
 }
 
-TEST(Weights, OfNoShareAreNoneAndThatIsTold) {
+TEST(Weights, OfNoShareAreZeroAndSourceIsNone) {
     std::vector<float> weights(2, 5);
     const std::vector<double> distances{0, 1}, none{0, 0}, last{0, 1}, facing{1, 1};
     EXPECT_EQ(guide_weights(distances, none, 2, facing, 2, weights), WeightSource::none);
     EXPECT_EQ(weights, (std::vector<float>{0, 0}));
-    // A guide without a share has none, though the root is the child's.
+    // A guide without a share has no weight, even at the child's root.
     EXPECT_EQ(guide_weights(distances, last, 2, facing, 2, weights),
               WeightSource::facing);
     EXPECT_EQ(weights, (std::vector<float>{0, 1}));
@@ -119,7 +119,7 @@ TEST(Weights, OfNoShareAreNoneAndThatIsTold) {
 TEST(Reach, OfWholeSharesIsTheDistanceOfTheNextGuide) {
     const std::vector<double> distances{1, 2, 3, 5, 8}, shares(5, 1.0);
     for (std::size_t k = 1; k < 5; ++k) {
-        // Two divisions.
+        // Rounded by two divisions.
         EXPECT_NEAR(neighbour_reach(distances, shares, k), distances[k], 2e-15);
     }
     EXPECT_EQ(neighbour_reach(distances, shares, 5), kFar);
@@ -128,7 +128,7 @@ TEST(Reach, OfWholeSharesIsTheDistanceOfTheNextGuide) {
 }
 
 TEST(Reach, OfPartialSharesIsBetweenThoseOfNoneAndOfAll) {
-    // With half of guide 2 the place from 2 to 3 is filled by guides 3 and 4, half each.
+    // With half of guide 2, the range from 2 to 3 is filled by guides 3 and 4, half each.
     const std::vector<double> distances{1, 2, 3, 5, 8};
     const double reach =
         neighbour_reach(distances, std::vector<double>{1, 0.5, 1, 1, 1}, 2);
@@ -148,7 +148,7 @@ TEST(Reach, IsContinuousInDistancesAndShares) {
         return neighbour_reach(distances, shares, 3, 4.0);
     };
     for (int round = 0; round < 30; ++round) {
-        // From one set of guides to another: they change order and come and go.
+        // From one set of guides to another: the order changes, and guides come and go.
         std::vector<std::pair<double, double>> from(8), to(8), now(8);
         for (auto* set : {&from, &to}) {
             for (auto& [d, e] : *set) d = place(random), e = share(random);
@@ -161,9 +161,9 @@ TEST(Reach, IsContinuousInDistancesAndShares) {
                 now[g] = {from[g].first + t * (to[g].first - from[g].first),
                           from[g].second + t * (to[g].second - from[g].second)};
             }
-            // 1 / Q moves by a step of the distances / Q^2 at most, 3.5 / 0.25, and by
-            // what eight shares, of at most 2 in all, move of the mass over the range of
-            // 1 / Q, 2; times reach^2, 16.
+            // 1 / Q changes by at most the step of the distances over Q^2, 3.5 / 0.25,
+            // and by the change of eight shares, at most 2 in all, over the range of 1 /
+            // Q, 2; times reach^2, 16.
             const double bound = 16 * (3.5 / 0.25 + 8 * 2 * 2.0) / kSteps;
             const double reach = reach_of(now);
             ASSERT_NEAR(reach, before, bound) << "round " << round << ", step " << i;
@@ -172,7 +172,7 @@ TEST(Reach, IsContinuousInDistancesAndShares) {
     }
 }
 
-TEST(Heaviest, AreKeptWithAllTheWeight) {
+TEST(Heaviest, KeepAllTheWeight) {
     std::vector<float> weights{0.1f, 0.4f, 0.2f, 0.3f};
     keep_heaviest(weights, 2);
     // 0.4 - 0.2 and 0.3 - 0.2.
@@ -182,27 +182,27 @@ TEST(Heaviest, AreKeptWithAllTheWeight) {
     EXPECT_EQ(weights[2], 0);
 }
 
-TEST(Heaviest, StayAsTheyAreWhereTheyAreFew) {
+TEST(Heaviest, AreUnchangedIfFew) {
     std::vector<float> weights{0.25f, 0, 0.75f, 0};
     keep_heaviest(weights, 2);
     EXPECT_EQ(weights, (std::vector<float>{0.25f, 0, 0.75f, 0}));
 }
 
-TEST(Heaviest, OfEqualsTheFirstHasAll) {
+TEST(Heaviest, OfEqualsTheFirstHasAllTheWeight) {
     std::vector<float> weights{0.25f, 0.25f, 0.25f, 0.25f};
     keep_heaviest(weights, 2);
     EXPECT_EQ(weights, (std::vector<float>{1, 0, 0, 0}));
 }
 
 TEST(Weights, SurvivePowersThatOverflow) {
-    // (1e-6)^-16 alone is 1e96, and 1e96^4 overflows; only ratios matter.
+    // (1e-6)^-16 is 1e96, and 1e96^4 overflows; only ratios matter.
     const auto weights = weights_of({2e-7, 4e-7, 1e6}, 1e7, {1, 1, 1}, 16);
     EXPECT_NEAR(weights[0], 1 / (1 + std::pow(0.5, 16)), 1e-6);
     EXPECT_EQ(weights[2], 0);
 }
 
-/// Guides on a plane and the weights of a place among all of them: by Lancret, or by the
-/// bare power law cut off at the k nearest.
+/// Guides on a plane and the weights of a position among them: Lancret's, or with `hard`
+/// the plain power law cut off at the k nearest.
 struct Field {
     std::vector<Vec3> guides;
     int k = 4;
@@ -217,7 +217,7 @@ struct Field {
         }
     }
 
-    std::vector<float> at(const Vec3& x) const {
+    std::vector<float> weights_at(const Vec3& x) const {
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t g = 0; g < guides.size(); ++g) {
             order.emplace_back((guides[g] - x).norm(), g);
@@ -235,10 +235,10 @@ struct Field {
     /// The largest change of any weight in one of `steps` even steps across the plane.
     double largest_jump(int steps) const {
         double worst = 0;
-        std::vector<float> before = at({0, 2.1, 0});
+        std::vector<float> before = weights_at({0, 2.1, 0});
         for (int i = 1; i <= steps; ++i) {
             const double t = double(i) / steps;
-            const std::vector<float> now = at({10 * t, 2.1 + 5.3 * t, 0});
+            const std::vector<float> now = weights_at({10 * t, 2.1 + 5.3 * t, 0});
             for (std::size_t g = 0; g < now.size(); ++g) {
                 worst = std::max(worst, std::abs(double(now[g]) - before[g]));
             }
@@ -251,11 +251,11 @@ struct Field {
 TEST(Weights, ChangeByNoMoreThanTheStepThroughChangesOfNeighbours) {
     for (unsigned seed = 0; seed < 5; ++seed) {
         Field field(seed);
-        // Weights that are Lipschitz change by L h in a step of h: a sixteenth of the
-        // step, a sixteenth of the change, to the curvature of the coarse one.
+        // Lipschitz weights change by at most L h in a step of h: a sixteenth of the step
+        // gives a sixteenth of the change, up to the curvature of the weights.
         const double coarse = field.largest_jump(400), fine = field.largest_jump(6400);
         EXPECT_LT(fine, coarse / 12) << "seed " << seed;
-        // A bare cut at the fourth neighbour jumps by as much in whatever step.
+        // A plain cut at the fourth neighbour jumps by the same amount for any step.
         field.hard = true;
         EXPECT_GT(field.largest_jump(6400), 4 * fine) << "seed " << seed;
         EXPECT_GT(field.largest_jump(6400), 0.5 * field.largest_jump(400))

@@ -14,7 +14,7 @@ using test::MadeChild;
 
 constexpr int kCount = 48;
 
-/// A child of guides at one time.
+/// A child and its guides at one time.
 struct Made {
     GuideProfiles<double> profiles;
     MadeChild<double> child;
@@ -26,9 +26,9 @@ struct Made {
     }
 };
 
-/// The farthest that the child's places go, and what bounds it.
+/// The largest motion of a place of the child, and its limit, cm.
 struct Motion {
-    double child = 0, bound = 0;
+    double child = 0, limit = 0;
 };
 
 Motion motion(const Made& a, const Made& b) {
@@ -38,11 +38,11 @@ Motion motion(const Made& a, const Made& b) {
             std::max(out.child, (a.states[i].position - b.states[i].position).norm());
     }
     const Child<double> from = a.child.child(), to = b.child.child();
-    out.bound = anchored_motion_limit({from, to, a.profiles, b.profiles});
+    out.limit = anchored_motion_limit({from, to, a.profiles, b.profiles});
     return out;
 }
 
-TEST(AnchorMotion, StaysWithinTheBoundOfItsGuides) {
+TEST(AnchorMotion, StaysWithinTheLimitOfItsGuides) {
     double worst = 0;
     const char* name = "";
     for (const test::HardCase& hard : test::kHardCases) {
@@ -56,9 +56,9 @@ TEST(AnchorMotion, StaysWithinTheBoundOfItsGuides) {
                     std::make_unique<Made>(guides, std::vector{weight, 1 - weight});
                 if (before) {
                     const Motion moved = motion(*before, *now);
-                    ASSERT_LE(moved.child, moved.bound) << hard.name;
-                    if (moved.child > worst * moved.bound) {
-                        worst = moved.child / moved.bound;
+                    ASSERT_LE(moved.child, moved.limit) << hard.name;
+                    if (moved.child > worst * moved.limit) {
+                        worst = moved.child / moved.limit;
                         name = hard.name;
                     }
                 }
@@ -66,12 +66,12 @@ TEST(AnchorMotion, StaysWithinTheBoundOfItsGuides) {
             }
         }
     }
-    // A bound that nothing comes near would prove nothing.
+    // The limit must not be far too large.
     EXPECT_GT(worst, 0.05);
-    fmt::print("largest share of the bound: {:.3f}, {}\n", worst, name);
+    fmt::print("largest share of the limit: {:.3f}, {}\n", worst, name);
 }
 
-TEST(AnchorMotion, StaysWithinTheBoundForGuidesThatMoveAtRandom) {
+TEST(AnchorMotion, StaysWithinTheLimitForRandomMotion) {
     double worst = 0;
     for (unsigned seed = 0; seed < 200; ++seed) {
         const Guides from = test::random_guides(3, 6, seed, 0.5);
@@ -87,11 +87,11 @@ TEST(AnchorMotion, StaysWithinTheBoundForGuidesThatMoveAtRandom) {
         }
         const std::vector<double> weights{0.5, 0.3, 0.2};
         const Motion moved = motion(Made(from, weights), Made(to, weights));
-        ASSERT_LE(moved.child, moved.bound) << seed;
-        worst = std::max(worst, moved.child / moved.bound);
+        ASSERT_LE(moved.child, moved.limit) << seed;
+        worst = std::max(worst, moved.child / moved.limit);
     }
     EXPECT_GT(worst, 0.05);
-    fmt::print("largest share of the bound: {:.3f}\n", worst);
+    fmt::print("largest share of the limit: {:.3f}\n", worst);
 }
 
 }  // namespace

@@ -14,12 +14,12 @@ using test::MadeChild;
 constexpr int kCount = 240;
 constexpr double kLength = 20;
 
-/// A helix of `turns` whole turns about `axis`, its pitch angle off it, at `phase`.
+/// Appends a helix of `turns` turns about `axis`, with the given pitch angle to it.
 void add_curl(Guides& guides, const Vec3& axis, double turns, double pitch,
               double phase) {
     const double omega = 2 * std::numbers::pi * turns / kLength;
     const Vec3 u(omega * std::cos(pitch), 0, omega * std::sin(pitch));
-    // The root frame that has the Darboux vector along the axis, rolled to the phase.
+    // The root frame for which the Darboux vector is along the axis, rolled by the phase.
     const Mat3 frame = Eigen::AngleAxisd(phase, axis.normalized()) *
                        Eigen::Quaterniond::FromTwoVectors(u, axis).toRotationMatrix();
     test::add_guide(guides, std::vector<Vec3>(12, u), kLength, frame);
@@ -45,9 +45,9 @@ Shape shape_of(BlendFunction<double> blend, const Guides& guides,
     return out;
 }
 
-TEST(Detail, KeepsThePlaceAndTheCurlOfCurlsOfUnlikePhase) {
-    // Two curls of opposite phase about axes 0.4 radian apart. Places cancel to straight
-    // strands; detail has the curvature of one and ends where they do.
+TEST(Detail, KeepsPositionAndCurlOfCurlsOfDifferentPhase) {
+    // Two curls of opposite phase about axes 0.4 radian apart. Averaged positions cancel
+    // to a straight strand; detail has the curvature of one curl and the same end.
     const double pitch = 0.8, turns = 10;
     Guides guides;
     add_curl(guides, Vec3(1, 0.2, 0), turns, pitch, 0);
@@ -56,14 +56,14 @@ TEST(Detail, KeepsThePlaceAndTheCurlOfCurlsOfUnlikePhase) {
     const Shape position = shape_of(blend_position<double>, guides, {0.6, 0.4});
     const Shape detail = shape_of(blend_detail<double>, guides, {0.6, 0.4});
     EXPECT_NEAR(detail.kappa / kappa, 1, 0.01);
-    // In space the spine keeps the mean of the guides' advances, cos(pitch), where places
-    // lose the cosine of the angle that they stand off the mean: 1 - 0.2^2 / 2.
+    // The spine keeps the mean of the guides' advances, cos(pitch), while averaged
+    // positions lose the cosine of the axes' angle to the mean: 1 - 0.2^2 / 2.
     EXPECT_NEAR(detail.chord.norm() / kLength, std::cos(pitch), 0.01);
     EXPECT_LT((detail.chord.normalized() - position.chord.normalized()).norm(), 0.01);
     EXPECT_LT((detail.chord - position.chord).norm(), 0.03 * kLength);
 }
 
-TEST(Detail, GetsOnAsFastAsTheMeanOfItsGuides) {
+TEST(Detail, AdvancesAsFastAsTheMeanOfItsGuides) {
     // One tight curl, one open, about one axis: the advance is the mean of the cosines.
     Guides guides;
     add_curl(guides, Vec3(1, 0, 0), 10, 0.9, 0);
@@ -72,8 +72,8 @@ TEST(Detail, GetsOnAsFastAsTheMeanOfItsGuides) {
     for (const std::vector<double>& weights :
          {std::vector{0.501, 0.499}, {0.499, 0.501}}) {
         const Shape detail = shape_of(blend_detail<double>, guides, weights);
-        // Of the way from its own cosine to the mean, 0.13, the softening leaves out
-        // 0.05 / (1 - a c), a tenth: 0.013. The curl's own share in the spine,
+        // The softening shortens the change from the guide's cosine to the mean, 0.13, by
+        // 0.05 / (1 - a c), a tenth: 0.013. The curl's contribution to the spine,
         // sin(pitch) / (10 pi), moves the advance by as much again.
         EXPECT_NEAR(detail.chord.norm() / kLength, mean, 0.025);
         EXPECT_GT(std::abs(shape_of(blend_nearest<double>, guides, weights).chord.norm() /
@@ -83,23 +83,23 @@ TEST(Detail, GetsOnAsFastAsTheMeanOfItsGuides) {
     }
 }
 
-TEST(Anchor, LeavesAStrandAloneWhoseGuidesAgreeWithIt) {
-    // Guides alike but for their roots: every weight gives the same strand.
+TEST(Anchor, LeavesAStrandUnchangedIfItsGuidesAgree) {
+    // Guides that differ only in their roots: all weights give the same strand.
     Guides guides;
     for (int g = 0; g < 3; ++g) add_curl(guides, Vec3(1, 0.3, 0), 7.3, 0.7, 0.4);
     const auto profiles = guide_profiles<double>(guides, kCount);
     const MadeChild<double> made(profiles, {0.2, 0.5, 0.3});
-    std::vector<HelixState<double>> states(kCount + 1), alone(kCount + 1);
-    blend_nearest<double>(made.child(), profiles, alone);
+    std::vector<HelixState<double>> states(kCount + 1), copy(kCount + 1);
+    blend_nearest<double>(made.child(), profiles, copy);
     blend_detail<double>(made.child(), profiles, states);
     for (int i = 0; i <= kCount; ++i) {
-        EXPECT_LT((states[i].position - alone[i].position).norm(), 1e-10);
+        EXPECT_LT((states[i].position - copy[i].position).norm(), 1e-10);
     }
 }
 
 TEST(Anchor, CurlsKeepTheirSizeOnAChildOfAnotherLength) {
-    // Guides of 20 and 10 cm with one curvature and torsion: the child of 15 cm has them
-    // too, and so three quarters of the longer one's turns.
+    // Guides of 20 and 10 cm with the same curvature and torsion: the child of 15 cm also
+    // has them, and so three quarters of the longer guide's turns.
     Guides guides;
     const Vec3 u(1.5, 0, 1.2);
     test::add_guide(guides, std::vector<Vec3>(8, u), 20);
@@ -108,10 +108,10 @@ TEST(Anchor, CurlsKeepTheirSizeOnAChildOfAnotherLength) {
     EXPECT_NEAR(detail.kappa / 1.2, 1, 0.01);
 }
 
-TEST(Anchor, NothingJumpsWhereSpinesAreOpposed) {
+TEST(Anchor, NothingJumpsIfSpinesAreOpposed) {
     // A guide swings past the direction opposite to the others' spine. Halving its step
-    // halves what the child moves by: the turn from one spine to the other goes through
-    // none at all and not from half a turn one way to half a turn the other way.
+    // halves the child's motion: the turn from one spine to the other passes through zero
+    // instead of jumping from half a turn one way to half a turn the other way.
     double largest[2];
     for (int fine = 0; fine < 2; ++fine) {
         const int steps = fine ? 4000 : 2000;

@@ -1,4 +1,4 @@
-// What every blend must keep.
+// Properties that all blends share.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using test::MadeChild;
 
 constexpr int kCount = 24;
 
-/// Blends that give places at equal steps of arc length.
+/// Whether a blend returns places at equal steps of arc length.
 bool keeps_length(Blend blend) {
     return blend != Blend::position && blend != Blend::option3;
 }
@@ -47,7 +47,7 @@ TEST_P(EveryBlend, WithAllWeightOnAGuideIsThatGuide) {
             const HelixState<double> exact =
                 state_at(super_helix(guides, 0), length * i / kCount);
             const Vec3 place = states[i].position + guides.root_positions[0];
-            // Option 3 measures its length between places, by arcs of circles.
+            // Option 3 measures its length between places by circular arcs.
             const double slack = blend() == Blend::option3 ? 0.02 : 1e-9;
             EXPECT_LT((place - exact.position).norm(), slack * length);
         }
@@ -88,7 +88,7 @@ TEST_P(EveryBlend, TurnsWithItsGuides) {
     MadeChild<double> made(profiles, {0.5, 0.3, 0.2});
     const auto before = states_of<double>(made, profiles);
     for (Mat3& to_space : made.to_space) to_space = (turn * to_space).eval();
-    auto turned = profiles;  // position looks at root frames in space
+    auto turned = profiles;  // blend position reads root frames in space
     for (Mat3& frame : turned.root_frames) frame = (turn * frame).eval();
     const auto after = states_of<double>(made, turned);
     for (int i = 0; i <= kCount; ++i) {
@@ -96,8 +96,8 @@ TEST_P(EveryBlend, TurnsWithItsGuides) {
     }
 }
 
-TEST_P(EveryBlend, HasPlacesAtNumbersWhereGuidesCancel) {
-    // Opposed guides, straight and curled alike, at even weights.
+TEST_P(EveryBlend, IsFiniteAndExactIfGuidesCancel) {
+    // Opposed guides, straight and curled, at equal weights.
     for (const Vec3& u : {Vec3(0, 0, 0), Vec3(0, 0, 0.4), Vec3(0.8, 0, 0.6)}) {
         Guides guides;
         const std::vector<Vec3> curvatures(4, u);
@@ -114,7 +114,7 @@ TEST_P(EveryBlend, HasPlacesAtNumbersWhereGuidesCancel) {
             const Vec3f chord = states[i].position - states[i - 1].position;
             const Vec3f step =
                 displacement_between<float>(states[i - 1].frame, frame, 10.0f / kCount);
-            // Places up to 10 cm away round by 6e-7, frames are good to 5e-7.
+            // Places up to 10 cm away are rounded by 6e-7, frames are accurate to 5e-7.
             EXPECT_LT((states[i - 1].frame * step - chord).norm(), 4e-6f);
         }
     }
@@ -126,6 +126,14 @@ INSTANTIATE_TEST_SUITE_P(Blends, EveryBlend, testing::ValuesIn(all_blends()),
                              std::ranges::replace(name, '-', '_');
                              return name;
                          });
+
+TEST(Blend, TableHasARowForEachNameAndValue) {
+    for (const BlendTraits& traits : blends()) {
+        EXPECT_EQ(&traits_of(traits.blend), &traits) << traits.name;
+        EXPECT_EQ(blend_named(blend_name(traits.blend)), traits.blend);
+    }
+    EXPECT_EQ(blend_named("nothing"), std::nullopt);
+}
 
 }  // namespace
 }  // namespace lancret

@@ -16,7 +16,7 @@ using test::random_guides;
 
 TEST(GuideProfiles, PlacesAndTangentsAreThoseOfTheGuide) {
     const Guides guides = random_guides(10, 5, 1);
-    // On the guides' joints and off them.
+    // A grid that contains the guides' joints, and one that does not.
     for (const int count : {20, 13}) {
         const auto profiles = guide_profiles<double>(guides, count);
         for (std::size_t g = 0; g < 10; ++g) {
@@ -26,9 +26,9 @@ TEST(GuideProfiles, PlacesAndTangentsAreThoseOfTheGuide) {
             for (int i = 0; i <= count; ++i) {
                 const HelixState<double> exact =
                     state_at(super_helix(guides, g), length * i / count);
-                const std::size_t at = g * (count + 1) + i;
+                const std::size_t place = g * (count + 1) + i;
                 const Mat3& frame = guides.root_frames[g];
-                EXPECT_LT((frame * profiles.positions[at] + guides.root_positions[g] -
+                EXPECT_LT((frame * profiles.positions[place] + guides.root_positions[g] -
                            exact.position)
                               .norm(),
                           1e-12 * length);
@@ -39,7 +39,7 @@ TEST(GuideProfiles, PlacesAndTangentsAreThoseOfTheGuide) {
     }
 }
 
-TEST(GuideProfiles, TangentAndNormalAreAcrossEachOther) {
+TEST(GuideProfiles, TangentAndNormalAreOrthonormal) {
     for (unsigned seed = 0; seed < 30; ++seed) {
         const auto profiles = guide_profiles<double>(random_guides(8, 6, seed), 12);
         for (const ProfileInterval<double>& interval : profiles.intervals) {
@@ -53,11 +53,11 @@ TEST(GuideProfiles, TangentAndNormalAreAcrossEachOther) {
 TEST(GuideProfiles, KappaAndTauAreThoseOfTheSegment) {
     const Guides guides = random_guides(6, 4, 3);
     const auto profiles = guide_profiles<double>(guides, 12);
-    for (std::size_t at = 0; at < profiles.intervals.size(); ++at) {
-        const Vec3& u = guides.curvatures[at / 3];
-        // Straight from the segment, no quotient between.
-        EXPECT_EQ(std::abs(profiles.intervals[at].kappa), std::hypot(u.y(), u.z()));
-        EXPECT_EQ(profiles.intervals[at].tau, u.x());
+    for (std::size_t i = 0; i < profiles.intervals.size(); ++i) {
+        const Vec3& u = guides.curvatures[i / 3];
+        // Copied from the segment, without a quotient.
+        EXPECT_EQ(std::abs(profiles.intervals[i].kappa), std::hypot(u.y(), u.z()));
+        EXPECT_EQ(profiles.intervals[i].tau, u.x());
     }
 }
 
@@ -75,23 +75,22 @@ TEST(GuideProfiles, TheNormalPointsWhereTheStrandBends) {
                                state_at(helix, s - h).frame.col(0)) /
                               (2 * h);
             const auto& interval = profiles.intervals[g * 8 + i];
-            // The difference is off by |u|^3 h^2 / 6, and by round-off of 1e-16 / h.
+            // The difference has an error of |u|^3 h^2 / 6, and round-off of 1e-16 / h.
             EXPECT_LT((interval.kappa * interval.normal - bend).norm(), 1e-7);
         }
     }
 }
 
-TEST(GuideProfiles, TheNormalIsCarriedOverStraightStretches) {
+TEST(GuideProfiles, TheNormalIsCarriedOverStraightParts) {
     Guides guides;
     add_guide(guides, {{0, 0, 0}, {0, 0.3, 0}, {0, 0, 0}, {0, -0.3, 0}}, 8);
     const auto profiles = guide_profiles<double>(guides, 8);
-    // T' = -k1 n2: N is along n2, from the root on, in the plane that the strand bends
-    // in.
+    // T' = -k1 n2: N is along n2 from the root on, in the strand's plane.
     for (const auto& interval : profiles.intervals) {
         EXPECT_NEAR(interval.normal.y(), 0, 1e-12);
         EXPECT_NEAR(interval.normal.norm(), 1, 1e-12);
     }
-    // From the root to the inflection to one side.
+    // It stays on one side from the root to the inflection.
     for (int i = 1; i < 4; ++i) {
         EXPECT_GT(profiles.intervals[i].normal.dot(profiles.intervals[0].normal), 0);
     }
@@ -100,7 +99,7 @@ TEST(GuideProfiles, TheNormalIsCarriedOverStraightStretches) {
     EXPECT_DOUBLE_EQ(std::abs(profiles.intervals[6].kappa), 0.3);
 }
 
-/// The tip of the strand that option 1 makes of guide 0 alone, against the guide's own.
+/// Distance between the tip of guide 0 and that of option 1's strand from it, cm.
 double tip_error(const Guides& guides, int count) {
     const auto profiles = guide_profiles<double>(guides, count);
     const test::MadeChild<double> made(profiles, {1.0});
@@ -116,9 +115,9 @@ TEST(GuideProfiles, JointsOffTheGridCostTheSquareOfTheStep) {
         const Guides guides = random_guides(1, 5, seed, 0.3);
         for (const int count : {32, 64, 128, 512}) {
             const double ds = guide_length(guides, 0) / count;
-            // Where a jump of d in curvature is spread over an interval the tangent is
-            // off by d ds / 4 at most, at the joint, and the place by d ds^2 / 8; the
-            // frame after it is exact. What is left is of the next order in |u| ds < 0.5.
+            // A jump of d in curvature, spread over an interval, changes the tangent by
+            // at most d ds / 4, at the joint, and the place by d ds^2 / 8; the frame
+            // after it is exact. The rest is of the next order in |u| ds < 0.5.
             double bound = 1e-9;
             for (int q = 0; q < 4; ++q) {
                 bound += 1.5 * (guides.curvatures[q + 1] - guides.curvatures[q]).norm() *
@@ -130,7 +129,7 @@ TEST(GuideProfiles, JointsOffTheGridCostTheSquareOfTheStep) {
     }
 }
 
-TEST(GuideProfiles, OfUnequalSegmentsAreThatGuide) {
+TEST(GuideProfiles, OfUnequalSegmentsGiveThatGuide) {
     Guides guides;
     guides.segments = 3;
     guides.root_positions = {Vec3::Zero()};

@@ -1,4 +1,4 @@
-// The normal of a guide's profile where its segments meet.
+// The normal of a guide's profile at the joints of its segments.
 
 #include <gtest/gtest.h>
 
@@ -11,12 +11,12 @@ namespace {
 using test::add_guide;
 using test::random_guides;
 
-TEST(GuideProfileTurns, InsideASegmentTheNormalGoesOnWhereItWas) {
+TEST(GuideProfileTurns, TheNormalIsContinuousInsideASegment) {
     for (unsigned seed = 0; seed < 30; ++seed) {
         const auto profiles = guide_profiles<double>(random_guides(8, 6, seed), 12);
-        for (std::size_t at = 1; at < profiles.intervals.size(); at += 2) {
-            const auto &before = profiles.intervals[at - 1],
-                       &after = profiles.intervals[at];
+        for (std::size_t i = 1; i < profiles.intervals.size(); i += 2) {
+            const auto &before = profiles.intervals[i - 1],
+                       &after = profiles.intervals[i];
             EXPECT_LT((after.normal_before - before.normal_after).norm(), 1e-12);
         }
     }
@@ -40,9 +40,9 @@ TEST(GuideProfileTurns, StraightSegmentsCarryTheNormalAndInflectionsTurnIt) {
     add_guide(guides, {{0, 0, 0}, {0, 0.3, 0}, {0, 0, 0}, {0, -0.3, 0}}, 8);
     const auto profiles = guide_profiles<double>(guides, 8);
     const auto& row = profiles.intervals;
-    // T' = -k1 n2: N is -n2 where it bends first, and from the root on.
+    // T' = -k1 n2: N is -n2 on the first bend, and from the root on.
     EXPECT_LT((row[0].normal_before - Vec3(0, 0, -1)).norm(), 1e-12);
-    // Over the straight third segment N stays; at its end it turns round.
+    // N is constant over the straight third segment and reversed at its end.
     EXPECT_LT((row[5].normal_after - row[3].normal_after).norm(), 1e-12);
     EXPECT_LT((row[6].normal_before + row[5].normal_after).norm(), 1e-12);
     EXPECT_DOUBLE_EQ(row[2].kappa, 0.3);

@@ -1,5 +1,5 @@
 #pragma once
-// Motions of two guides through what is hard for a blend.
+// Motions of two guides through configurations that are hard for a blend.
 
 #include <functional>
 #include <numbers>
@@ -8,7 +8,7 @@
 
 namespace lancret::test {
 
-/// n0 = `tangent`, n1 as near to z as may be.
+/// The frame with n0 = `tangent` and n1 as close to z as possible.
 inline Mat3 frame_along(const Vec3& tangent) {
     const Vec3 n1 = (Vec3::UnitZ() - tangent * tangent.z()).normalized();
     Mat3 out;
@@ -31,7 +31,7 @@ inline void add_even(Guides& guides, const Vec3& u, const Mat3& frame = kForward
 inline const HardCase kHardCases[] = {
     {"normals come to oppose",
      [](double t, Guides& out) {
-         // An arc turns once about its root tangent; the other stands still.
+         // An arc turns once about its root tangent; the other guide is at rest.
          const double angle = 2 * std::numbers::pi * t;
          add_even(out, {0, -0.2 * std::sin(angle), 0.2 * std::cos(angle)});
          add_even(out, {0.05, 0, 0.15});

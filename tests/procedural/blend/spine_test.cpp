@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLength = 12;
 
-/// The spine of one helix with the Darboux vector u.
+/// The spine of a helix with the Darboux vector u.
 Spine<double> helix_spine(const Vec3& u, int count) {
     std::vector<Vec3> places;
     for (int i = 0; i <= count; ++i) {
@@ -28,17 +28,17 @@ TEST(Spine, OfAStraightStrandIsItsTangent) {
     const Spine<double> spine = helix_spine(Vec3::Zero(), 16);
     for (const double turns : {0.0, 5.0}) {
         for (int i = 0; i <= 16; ++i) {
-            const Vec3 at = spine_at(spine, spine_taper(turns), basis.at_places[i]);
-            // The middle of an interval stands for all of it, so P_j sums up to zero only
-            // for odd j; P_2 to 1 / (2 n^2), five times that.
-            EXPECT_LT((at - Vec3::UnitX()).norm(), 6.0 / (2 * 16 * 16));
+            const Vec3 tangent = spine_at(spine, spine_taper(turns), basis.at_places[i]);
+            // P_j is taken in the middle of each interval, so that its sum is zero only
+            // for odd j; that of P_2 is 1 / (2 n^2), times five.
+            EXPECT_LT((tangent - Vec3::UnitX()).norm(), 6.0 / (2 * 16 * 16));
         }
     }
 }
 
 TEST(Spine, FollowsAnArcToTheThirdOrder) {
-    // T = (cos x, sin x) over x in [-a, a] about its middle: degrees 0 to 3 leave the
-    // next term of the Taylor series, x^4 / 24, at most 8 / 35 of it at the ends.
+    // T = (cos x, sin x) over x in [-a, a] about its middle: degrees 0 to 3 omit the next
+    // term of the Taylor series, x^4 / 24, of which at most 8 / 35 remain at the ends.
     const double a = 0.5;
     const Vec3 u(0, 0, 2 * a / kLength);
     const int n = 400;
@@ -47,14 +47,14 @@ TEST(Spine, FollowsAnArcToTheThirdOrder) {
     for (int i = 0; i <= n; i += 50) {
         HelixState<double> state;
         advance<double>(state, u, kLength * i / n);
-        const Vec3 at = spine_at(spine, spine_taper(10.0), basis.at_places[i]);
-        EXPECT_LT((at - state.frame.col(0)).norm(), a * a * a * a / 24 + 1e-4);
+        const Vec3 tangent = spine_at(spine, spine_taper(10.0), basis.at_places[i]);
+        EXPECT_LT((tangent - state.frame.col(0)).norm(), a * a * a * a / 24 + 1e-4);
     }
 }
 
 TEST(Spine, AdvanceOfAHelixIsTheCosineOfItsPitchAngle) {
-    // What a helix of N whole turns has beside its axis is at most (2 j + 1) / (pi N) of
-    // the sine in degree j.
+    // The part of a helix of N turns across its axis contributes at most (2 j + 1) / (pi
+    // N) times the sine to degree j.
     const double turns = 20, pitch = 0.6;
     const double omega = 2 * std::numbers::pi * turns / kLength;
     const Vec3 u(omega * std::cos(pitch), 0, omega * std::sin(pitch));
@@ -68,7 +68,7 @@ TEST(Spine, AdvanceOfAHelixIsTheCosineOfItsPitchAngle) {
     }
 }
 
-TEST(Spine, HigherDegreesComeInWithTheTurnsOfTheCurl) {
+TEST(Spine, HigherDegreesFadeInWithTheTurnsOfTheCurl) {
     EXPECT_EQ(spine_taper(0.0), (std::array<double, 4>{1, 1, 0, 0}));
     EXPECT_EQ(spine_taper(1.5), (std::array<double, 4>{1, 1, 0.5, 0}));
     EXPECT_EQ(spine_taper(2.25), (std::array<double, 4>{1, 1, 1, 0.25}));

@@ -17,14 +17,14 @@ using test::on_every_target;
 
 constexpr double kHalfUlp = 0x1p-24;
 
-/// Radians that a frame may be off after n intervals: a quaternion's product, the step's
-/// and its normalisation round some 12 times each, and a rotation is twice its
+/// Maximum error of a frame after n intervals, radian: the quaternion's product, the step
+/// and the normalisation round about 12 times each, and a rotation is twice its
 /// quaternion; the errors of n steps add up.
-double frame_bound(int n) { return 2 * 12 * kHalfUlp * (n + 2); }
+double frame_error(int n) { return 2 * 12 * kHalfUlp * (n + 2); }
 
-/// By how much anchoring makes more of a spine's error: the turn is the quaternion (b, S
-/// x G) with b = |S||G| + S.G + e, and moves by the spines' own errors over b, and twice
-/// the tilt's by theirs over 0.05, what the speed is softened by.
+/// Factor by which anchoring increases a spine's error: the turn is the quaternion (b, S
+/// x G) with b = |S||G| + S.G + e and changes by the spines' errors over b; the tilt
+/// changes by twice their errors over kShort.
 double anchor_factor(Blend blend, const Binding& binding,
                      const GuideProfiles<double>& profiles, std::size_t i) {
     const BoundChild<double> bound = bound_child(binding, profiles, i);
@@ -35,21 +35,21 @@ double anchor_factor(Blend blend, const Binding& binding,
         blend_option1<double>(bound.child(), profiles, states);
     }
     const Anchor<double> anchor = anchor_of<double>(bound.child(), profiles, states);
-    double most = 0;
+    double largest = 0;
     for (int place = 0; place <= profiles.count; ++place) {
         const auto turns = turns_at(anchor, bound.child(), profiles, place);
-        most = std::max(most, 2 / turns.to_goal.cosine);
+        largest = std::max(largest, 2 / turns.to_goal.cosine);
     }
-    return 1 + most + 2 / 0.05;
+    return 1 + largest + 2 / 0.05;
 }
 
-/// Radians that a frame may be off, and lengths of the strand that a place may be.
-double strand_bound(Blend blend, const Binding& binding,
+/// Maximum error of a frame, radian, and of a place, as a fraction of the length.
+double strand_error(Blend blend, const Binding& binding,
                     const GuideProfiles<double>& profiles, std::size_t i) {
-    const double plain = frame_bound(profiles.count);
+    const double plain = frame_error(profiles.count);
     if (blend == Blend::nearest) return plain;
-    // Option 1's kappa is a quotient that loses digits where normals oppose: a hundredth
-    // of its weight left costs two of seven digits.
+    // Option 1's kappa is a quotient that loses digits if normals oppose: a hundredth of
+    // the weight left costs two of seven digits.
     const double option1 = 1e-4;
     if (blend == Blend::option1) return option1;
     const double factor = anchor_factor(blend, binding, profiles, i);
@@ -66,7 +66,7 @@ std::vector<Blend> curl_blends() {
 
 class CurlKernel : public testing::TestWithParam<Blend> {};
 
-TEST_P(CurlKernel, IsTheScalarStrandOnEveryTarget) {
+TEST_P(CurlKernel, EqualsTheScalarStrandOnEveryTarget) {
     for (const int n : {1, 3, 14, 41}) {
         const MadeHair hair(203, n, 3, 4, 4, n < 3 ? 0.03 : 0.3);
         const auto fine = guide_profiles<double>(hair.standing.guides, n);
@@ -77,7 +77,7 @@ TEST_P(CurlKernel, IsTheScalarStrandOnEveryTarget) {
                        0, 203, fast);
             for (std::size_t i = 0; i < 203; ++i) {
                 synthesize_child<double>(hair.binding, fine, GetParam(), i, exact);
-                const double bound = strand_bound(GetParam(), hair.binding, fine, i);
+                const double bound = strand_error(GetParam(), hair.binding, fine, i);
                 for (int j = 0; j <= n; ++j) {
                     const HelixState<float>& state = fast[i * (n + 1) + j];
                     EXPECT_LT((state.frame.cast<double>() - exact[j].frame).norm(),
@@ -92,7 +92,7 @@ TEST_P(CurlKernel, IsTheScalarStrandOnEveryTarget) {
 }
 
 TEST_P(CurlKernel, LengthsAreExactAndFramesOrthonormal) {
-    // Turns of up to about 2.5 radians an interval: below half a turn, so that a length
+    // Turns of up to about 2.5 radians per interval: below half a turn, so that lengths
     // can be measured from frames and places.
     for (const double curvature : {0.01, 0.3, 0.5}) {
         const MadeHair hair(500, 12, 5, 4, 4, curvature);
@@ -101,21 +101,21 @@ TEST_P(CurlKernel, LengthsAreExactAndFramesOrthonormal) {
             synthesize({hair.binding, hair.profiles, hair.kernel(GetParam()), GetParam()},
                        0, 500, states);
             for (std::size_t i = 0; i < 500; ++i) {
-                const auto own = std::span(states).subspan(i * 13, 13);
+                const auto strand = std::span(states).subspan(i * 13, 13);
                 double length = 0;
                 for (int j = 0; j < 12; ++j) {
-                    length += measured_interval(own[j], own[j + 1]).length;
+                    length += measured_interval(strand[j], strand[j + 1]).length;
                 }
-                // What `check` allows; each chord is good to a few half ulps of the place
-                // at its ends.
+                // The tolerance of `check`; each chord is accurate to a few half ulps of
+                // the places at its ends.
                 EXPECT_NEAR(length / hair.binding.lengths[i], 1, 1e-5);
-                EXPECT_LT(orthogonality_error(own), 1e-6);
+                EXPECT_LT(orthogonality_error(strand), 1e-6);
             }
         });
     }
 }
 
-TEST_P(CurlKernel, ControlPointsAreThoseOfItsPlaces) {
+TEST_P(CurlKernel, ControlPointsAreMadeFromItsPlaces) {
     for (const int n : {1, 2, 14}) {
         const MadeHair hair(50, n, 6, 4, 4, n < 3 ? 0.03 : 0.3);
         const std::size_t count = std::size_t(n) + 1;
@@ -127,26 +127,26 @@ TEST_P(CurlKernel, ControlPointsAreThoseOfItsPlaces) {
                 const Curves curves = expand(hair.binding, hair.profiles,
                                              {.blend = GetParam(), .basis = basis});
                 const std::size_t points = curves.points_of(0);
-                std::vector<Point4f> own(points), tangents(points);
+                std::vector<Point4f> expected(points), tangents(points);
                 for (std::size_t i = 0; i < 50; ++i) {
                     const auto places = std::span(states).subspan(i * count, count);
                     const Vec3f& root = hair.binding.roots.positions[i];
                     const float ds = hair.binding.lengths[i] / float(n);
                     if (basis == CurveBasis::bspline) {
-                        bspline_points(places, ds, root, {}, own);
+                        bspline_points(places, ds, root, {}, expected);
                     } else {
-                        hermite_points(places, ds, root, {}, own, tangents);
+                        hermite_points(places, ds, root, {}, expected, tangents);
                     }
                     // The outermost points sum (6 + 5 * 76 / 36) places, two of them
-                    // beyond the end: on a helix that is known to the error of two frames
-                    // over ds, walked by two of it.
-                    const double bound = 17 * (frame_bound(2) * 2 * ds +
+                    // beyond the end, at up to 2 ds on a helix with the error of two
+                    // frames over ds.
+                    const double bound = 17 * (frame_error(2) * 2 * ds +
                                                8 * kHalfUlp * hair.binding.lengths[i]) +
                                          2 * kHalfUlp * root.norm();
                     for (std::size_t j = 0; j < points; ++j) {
                         const Point4f& p = curves.points[i * points + j];
-                        EXPECT_LT((p.xyz() - own[j].xyz()).norm(), bound);
-                        EXPECT_NEAR(p.w, own[j].w, 1e-9);
+                        EXPECT_LT((p.xyz() - expected[j].xyz()).norm(), bound);
+                        EXPECT_NEAR(p.w, expected[j].w, 1e-9);
                         if (basis == CurveBasis::bspline) continue;
                         const Point4f& t = curves.tangents[i * points + j];
                         EXPECT_LT((t.xyz() - tangents[j].xyz()).norm(), bound);
@@ -158,8 +158,8 @@ TEST_P(CurlKernel, ControlPointsAreThoseOfItsPlaces) {
     }
 }
 
-TEST_P(CurlKernel, WhatTurnsTooFarIsLeftToTheScalarBlend) {
-    // 14 cm in two intervals of 7 cm, at up to 3 radians a cm.
+TEST_P(CurlKernel, StrandsThatTurnTooFarUseTheScalarBlend) {
+    // 14 cm in two intervals of 7 cm, at up to 3 radians per cm.
     const MadeHair hair(40, 2, 7, 4, 2, 3.0);
     on_every_target([&] {
         const Curves fast = expand(hair.binding, hair.profiles, {.blend = GetParam()});
@@ -175,7 +175,7 @@ TEST_P(CurlKernel, WhatTurnsTooFarIsLeftToTheScalarBlend) {
     });
 }
 
-TEST_P(CurlKernel, OpposedNormalsAreLeftToTheScalarBlend) {
+TEST_P(CurlKernel, OpposedNormalsUseTheScalarBlend) {
     MadeHair hair(64, 8, 8);
     for (std::size_t i = 0; i < 64; i += 3) {
         hair.binding.roots.normals[i] = -Vec3f::UnitZ();

@@ -1,5 +1,6 @@
 #pragma once
-// Runs a test on every instruction set that was compiled and that this processor has.
+// Runs a test on every instruction set that is compiled in and supported by this
+// processor.
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -8,7 +9,7 @@
 
 namespace lancret::test {
 
-/// Calls test() once for each, the plain one of a single lane among them.
+/// Calls test() once per instruction set, including the one with a single lane.
 template <class Test>
 void on_every_target(Test&& test) {
     struct Restore {
@@ -25,7 +26,7 @@ void on_every_target(Test&& test) {
         ++targets;
     }
     EXPECT_TRUE(plain);
-    EXPECT_GE(targets, 2);  // every processor that this runs on has vectors
+    EXPECT_GE(targets, 2);  // every supported processor has vectors
 }
 
 }  // namespace lancret::test

@@ -15,10 +15,11 @@ constexpr double kHalfUlp = 0x1p-24;
 
 Vec3 place(const Point4f& p) { return p.xyz().cast<double>(); }
 
-/// A control point of a guide, and of children: by the rows that kernels read, in double.
+/// A control point of a child relative to its root, summed in double from the rows that
+/// the kernel reads.
 struct Sum {
     Vec3 place = Vec3::Zero();
-    double size = 0;  ///< of its terms
+    double size = 0;  ///< sum of the sizes of its terms
 };
 
 Sum blended(const MadeHair& hair, const KernelGuides& guides, std::size_t i,
@@ -26,11 +27,11 @@ Sum blended(const MadeHair& hair, const KernelGuides& guides, std::size_t i,
     const std::size_t k = hair.binding.neighbours;
     double weight = 0, length = 0;
     Sum sum;
-    for (std::size_t at = i * k; at < (i + 1) * k; ++at) {
-        const std::size_t g = hair.binding.guides[at];
+    for (std::size_t n = i * k; n < (i + 1) * k; ++n) {
+        const std::size_t g = hair.binding.guides[n];
         const float* row = &guides.points[g * 3 * guides.point_stride + j];
         const Vec3 c(row[0], row[guides.point_stride], row[2 * guides.point_stride]);
-        const double w = hair.binding.weights[at];
+        const double w = hair.binding.weights[n];
         sum.place += w * c;
         sum.size += w * c.norm();
         weight += w;
@@ -42,8 +43,9 @@ Sum blended(const MadeHair& hair, const KernelGuides& guides, std::size_t i,
     return sum;
 }
 
-/// Places beyond an end have 7 and 17 places in them, so c[0] has
-/// (54 + 10 * 8 + 18) / 36 < 4.3, c[1] 2.3, and the outermost, 6 p - 4 c[0] - c[1], this:
+/// Sum of the absolute factors of places in a control point. Places beyond an end sum 7
+/// and 17 places, so c[0] sums (54 + 10 * 8 + 18) / 36 < 4.3, c[1] 2.3, and the
+/// outermost, 6 p - 4 c[0] - c[1], at most this.
 constexpr double kMaxTaps = 26;
 
 TEST(PositionKernel, SumsItsGuidesControlPointsOnEveryTarget) {
@@ -60,9 +62,9 @@ TEST(PositionKernel, SumsItsGuidesControlPointsOnEveryTarget) {
                 const Vec3 root =
                     hair.binding.roots.positions[at / points].cast<double>();
                 const Vec3 off = place(curves.points[at]) - root - sum.place;
-                // Of a factor: its weight over the sum of four (4), the length (4), scale
-                // and product (2); of the sum: a product and an addition a guide. The
-                // last addition rounds what comes out.
+                // Roundings of a factor: its weight over the sum of four (4), the length
+                // (4), scale and product (2); of the sum: a product and an addition per
+                // guide. The last addition rounds the result.
                 const double bound =
                     18 * kHalfUlp * sum.size + kHalfUlp * (root + sum.place).norm();
                 EXPECT_LT(off.cwiseAbs().maxCoeff(), bound) << "point " << at;
@@ -91,8 +93,8 @@ TEST(PositionKernel, AGuidesRowsAreItsScalarControlPoints) {
                 const float* row = &guides.points[g * 3 * guides.point_stride + j];
                 const Vec3 c(row[0], row[guides.point_stride],
                              row[2 * guides.point_stride]);
-                // Places are good to 4 half ulps of the length, and each of the two
-                // roundings to as much; the outermost points have kMaxTaps of them.
+                // Places are accurate to 4 half ulps of the length, and so is each of the
+                // two roundings; the outermost points sum kMaxTaps of them.
                 const double bound = length * kMaxTaps * 8 * kHalfUlp;
                 EXPECT_LT((place(points[j]) - c).norm(), bound) << g << ", " << j;
             }
@@ -100,7 +102,7 @@ TEST(PositionKernel, AGuidesRowsAreItsScalarControlPoints) {
     }
 }
 
-TEST(PositionKernel, IsTheScalarStrand) {
+TEST(PositionKernel, EqualsTheScalarStrand) {
     const MadeHair hair(300, 14, 3);
     Curves scalar;
     expand(hair.binding, hair.profiles, {}, {.blend = Blend::position}, scalar);
@@ -109,8 +111,8 @@ TEST(PositionKernel, IsTheScalarStrand) {
             expand(hair.binding, hair.profiles, {.blend = Blend::position});
         for (std::size_t i = 0; i < 300; ++i) {
             for (std::size_t j = 0; j < 17; ++j) {
-                // Both round places of up to the strand's length, about 12 times, and
-                // what stands on the plane.
+                // Both round places of up to the strand's length about 12 times, and the
+                // root's position.
                 const double taps = j < 3 || j > 13 ? kMaxTaps : 76.0 / 36;
                 const double bound =
                     kHalfUlp * (2 * 12 * taps * hair.binding.lengths[i] + 4 * 32);
@@ -123,7 +125,7 @@ TEST(PositionKernel, IsTheScalarStrand) {
     });
 }
 
-TEST(PositionKernel, BeginsAndEndsWhereTheStrandDoes) {
+TEST(PositionKernel, BeginsAndEndsWithTheStrand) {
     const MadeHair hair(200, 9, 4);
     std::vector<HelixState<double>> exact(10);
     const auto profiles = guide_profiles<double>(hair.standing.guides, 9);
@@ -134,7 +136,7 @@ TEST(PositionKernel, BeginsAndEndsWhereTheStrandDoes) {
             synthesize_child<double>(hair.binding, profiles, Blend::position, i, exact);
             const EmittedStrand strand = emitted_strand(curves, i);
             const Vec3 root = hair.binding.roots.positions[i].cast<double>();
-            // Three control points, of up to 32 cm and 18 half ulps each.
+            // Three control points of up to 32 cm, with 18 half ulps each.
             const double bound = 3 * 18 * kHalfUlp * 32;
             EXPECT_LT((strand.position(0, 0) - root).norm(), bound);
             EXPECT_LT((strand.position(8, 1) - root - exact[9].position).norm(), bound);
