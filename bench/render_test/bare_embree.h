@@ -6,7 +6,7 @@
 
 #include "guides/mesh/triangle_mesh.h"
 #include "procedural/curves/curves.h"
-#include "render_test/trace/path_tracer.h"
+#include "render_test/trace/rays.h"
 
 namespace lancret::bench {
 

@@ -201,7 +201,7 @@ int run(Options& options) {
     material.eumelanin = options.eumelanin;
     made.scene.hair = HairModel(material);
     if (options.regularisation > 0)
-        made.scene.later_hair = HairModel(widened(material, options.regularisation));
+        made.scene.later_hair = HairModel(roughened(material, options.regularisation));
     const double memory_before = memory("VmRSS") - double(made.curves.bytes());
     Stopwatch watch;
     const double user_before = user_seconds();

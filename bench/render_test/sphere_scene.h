@@ -7,7 +7,7 @@
 #include "guides/mesh/triangle_mesh.h"
 #include "procedural/curves/curves.h"
 #include "render_test/scene/camera.h"
-#include "render_test/trace/path_tracer.h"
+#include "render_test/trace/integrator.h"
 
 namespace lancret::bench {
 

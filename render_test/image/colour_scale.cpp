@@ -8,8 +8,8 @@ namespace lancret {
 
 namespace {
 
-/// The same, beyond the gamut too.
-Vec3f oklab_uncut(float lightness, float chroma, float hue) {
+/// As oklab_colour, without clamping.
+Vec3f unclamped_oklab(float lightness, float chroma, float hue) {
     const float angle = hue * std::numbers::pi_v<float> / 180;
     const float a = chroma * std::cos(angle), b = chroma * std::sin(angle);
     const auto cube = [](float x) { return x * x * x; };
@@ -21,12 +21,12 @@ Vec3f oklab_uncut(float lightness, float chroma, float hue) {
             -0.0041960863f * l - 0.7034186147f * m + 1.7076147010f * s};
 }
 
-/// The most chroma of that lightness and hue within the gamut, at most `most`.
-float chroma_within(float lightness, float most, float hue) {
-    float low = 0, high = most;
+/// The largest chroma of a lightness and hue within the gamut, at most `limit`.
+float chroma_within(float lightness, float limit, float hue) {
+    float low = 0, high = limit;
     for (int i = 0; i < 16; ++i) {
         const float middle = (low + high) / 2;
-        const Vec3f colour = oklab_uncut(lightness, middle, hue);
+        const Vec3f colour = unclamped_oklab(lightness, middle, hue);
         (colour.minCoeff() < 0 || colour.maxCoeff() > 1 ? high : low) = middle;
     }
     return low;
@@ -35,12 +35,12 @@ float chroma_within(float lightness, float most, float hue) {
 }  // namespace
 
 Vec3f oklab_colour(float lightness, float chroma, float hue) {
-    return oklab_uncut(lightness, chroma, hue).cwiseMax(0.0f).cwiseMin(1.0f);
+    return unclamped_oklab(lightness, chroma, hue).cwiseMax(0.0f).cwiseMin(1.0f);
 }
 
 Vec3f sequential_colour(float t) {
     t = std::clamp(t, 0.0f, 1.0f);
-    // As much chroma as the gamut has room for, less in the middle, at blue-green.
+    // Near the gamut's limit of chroma, which is lowest in the middle, at blue-green.
     const float away = 2 * t - 1;
     return oklab_colour(0.38f + 0.54f * t, 0.1f + 0.08f * away * away, 300 - 190 * t);
 }
@@ -58,6 +58,28 @@ Vec3f category_colour(std::uint32_t category) {
     const float lightness = kLightness[category % 3];
     const float hue = float(360 * (turns - std::floor(turns)));
     return oklab_colour(lightness, chroma_within(lightness, 0.17f, hue), hue);
+}
+
+float scale_place(const ColourScale& scale, float value) {
+    const auto place = [](double x, double low, double high) {
+        return float(std::clamp((x - low) / (high - low), 0.0, 1.0));
+    };
+    if (scale.kind != ColourScale::Kind::logarithmic) {
+        return place(value, scale.low, scale.high);
+    }
+    return value > 0 ? place(std::log(value), std::log(scale.low), std::log(scale.high))
+                     : 0;
+}
+
+Vec3f scale_colour_at(const ColourScale& scale, float place) {
+    return scale.kind == ColourScale::Kind::diverging ? diverging_colour(2 * place - 1)
+                                                      : sequential_colour(place);
+}
+
+Vec3f scale_colour(const ColourScale& scale, float value) {
+    if (!scale.over.empty() && value > scale.high) return kFailColour;
+    if (scale.clean && value <= *scale.clean) return kCleanColour;
+    return scale_colour_at(scale, scale_place(scale, value));
 }
 
 }  // namespace lancret

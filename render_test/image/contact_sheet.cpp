@@ -12,7 +12,7 @@ ContactSheet make_contact_sheet(std::size_t pictures, int width, int height,
     out.background = background;
     out.every = (out.pictures + kMaxSheetTiles - 1) / kMaxSheetTiles;
     const int tiles = int((out.pictures + out.every - 1) / out.every);
-    // The shape nearest to 3 by 2, empty places counted as a flaw.
+    // The shape nearest to 3:2; empty places count against it.
     constexpr double kShape = 1.5;
     double best = 1e30;
     for (int columns = 1; columns <= std::min(tiles, kMaxSheetColumns); ++columns) {
@@ -51,7 +51,7 @@ void add_picture(ContactSheet& sheet, std::size_t index, const Image& picture,
     }
     const int letters = std::clamp(sheet.tile_height / 12, 9, 28);
     if (sheet.tile_height < 2 * letters) return;
-    // Dark behind light, to be read on anything.
+    // A dark copy behind the light text keeps it readable on any picture.
     for (const int d : {1, 0}) {
         draw_text(sheet.image, x0 + letters / 2 + d, y0 + letters + letters / 3 + d, name,
                   letters, Vec3f::Constant(d ? 0.0f : 0.9f));

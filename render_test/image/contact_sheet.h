@@ -1,5 +1,5 @@
 #pragma once
-// Many pictures as one, to be taken in at a glance.
+// Many pictures on one sheet.
 
 #include <string>
 
@@ -7,26 +7,26 @@
 
 namespace lancret {
 
-/// Tiles row after row from the top, each with its name.
+/// Tiles, row by row from the top, each with its name.
 struct ContactSheet {
-    std::size_t pictures = 0;  ///< that there will be
-    std::size_t every = 1;     ///< of so many that there is no room, every n-th alone
+    std::size_t pictures = 0;  ///< in total
+    std::size_t every = 1;     ///< only every n-th picture is shown if there are too many
     int columns = 1, rows = 1;
     int tile_width = 1, tile_height = 1;  ///< pixels
     Vec3f background = Vec3f::Zero();     ///< linear, behind the pictures
-    Image image;                          ///< colour alone
+    Image image;                          ///< rgba only
 };
 
 inline constexpr int kMaxSheetColumns = 16, kMaxSheetTiles = 256;
 inline constexpr int kSheetGap = 4;         ///< pixels between tiles
 inline constexpr int kMaxSheetSide = 2048;  ///< pixels across and down
 
-/// A sheet for `pictures` (>= 1) pictures of one size, of about the shape of a screen.
-/// Tiles are no larger than the pictures.
+/// A sheet for `pictures` (>= 1) pictures of one size, about as wide as 3:2. Tiles are at
+/// most as large as the pictures.
 ContactSheet make_contact_sheet(std::size_t pictures, int width, int height,
                                 const Vec3f& background);
 
-/// Puts picture `index` into its place, reduced, with `name` in its upper left corner.
+/// Places picture `index`, reduced, with `name` in its upper left corner.
 void add_picture(ContactSheet& sheet, std::size_t index, const Image& picture,
                  const std::string& name);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Names as numbers in a picture: Cryptomatte, specification 1.2.0.
+// Object names as numbers in an image: Cryptomatte, specification 1.2.0.
 
 #include <cstdint>
 #include <map>
@@ -11,15 +11,15 @@ namespace lancret {
 /// MurmurHash3, 32 bits for x86 [Appleby 2011].
 std::uint32_t murmur_hash3(std::string_view bytes, std::uint32_t seed = 0);
 
-/// The id of a name: its hash with seed 0, made the bits of a float that is neither
-/// infinite, nor NaN, nor subnormal ("uint32_to_float32").
+/// The id of a name: its hash with seed 0, adjusted to the bits of a float that is not
+/// infinite, NaN or subnormal ("uint32_to_float32").
 std::uint32_t cryptomatte_id(std::string_view name);
 float cryptomatte_float(std::string_view name);
 
-/// The name of a layer's object with an id of Image::id: "strand_<n>" from 0, or "head".
+/// The object name of an Image::id: "strand_<n>", counted from 0, or "head".
 std::string object_name(std::uint32_t id);
 
-/// The attributes that tell a reader of the layer `name` in which `objects` are:
+/// The attributes that describe layer `name` and its `objects` to a reader:
 /// cryptomatte/<7 hex digits>/name, hash, conversion, manifest.
 std::map<std::string, std::string> cryptomatte_metadata(
     std::string_view name, std::initializer_list<std::string_view> objects);

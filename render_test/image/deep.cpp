@@ -14,7 +14,7 @@ void merge(std::vector<DeepSample>& samples, float gap) {
         return std::tie(a.id, a.depth) < std::tie(b.id, b.depth);
     });
     std::size_t kept = 0;
-    float back = 0;  // of the group that is being gathered
+    float back = 0;  // depth of the last sample of the current group
     for (const DeepSample& s : samples) {
         DeepSample* group = kept > 0 ? &samples[kept - 1] : nullptr;
         if (!group || group->id != s.id || s.depth - back > gap * s.depth) {
@@ -42,7 +42,7 @@ void composited(std::span<const DeepSample> samples, std::vector<DeepPoint>& poi
     std::ranges::sort(points, [](const DeepPoint& a, const DeepPoint& b) {
         return std::tie(a.depth, a.id) < std::tie(b.depth, b.id);
     });
-    // The largest half below one: what is behind must still be seen, or its light would
+    // The largest half below one: samples behind must stay visible, or their light would
     // be lost.
     constexpr float kMaxBefore = 1 - 0x1p-11f;
     float through = 1, before = -std::numeric_limits<float>::infinity();
@@ -57,12 +57,6 @@ void composited(std::span<const DeepSample> samples, std::vector<DeepPoint>& poi
         for (float& value : point.rgba) value = rounded_to_half(value);
         through *= 1 - point.rgba.w();
     }
-}
-
-Eigen::Vector4f flattened(std::span<const DeepPoint> points) {
-    Eigen::Vector4f out = Eigen::Vector4f::Zero();
-    for (const DeepPoint& point : points) out += (1 - out.w()) * point.rgba;
-    return out;
 }
 
 }  // namespace lancret

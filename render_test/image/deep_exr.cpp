@@ -1,3 +1,5 @@
+#include "render_test/image/deep_exr.h"
+
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>
 #include <ImfDeepScanLineOutputFile.h>
@@ -10,24 +12,23 @@
 
 #include "guides/base/atomic_file.h"
 #include "guides/base/errors.h"
-#include "render_test/image/exr.h"
 
 namespace lancret {
 namespace {
 
-/// A deep sample as it is in memory while its line is written.
+/// A deep sample in memory while its line is written.
 struct Stored {
     half rgba[4];
     float depth = 0;
     std::uint32_t id = 0;
 };
 
-/// One line's samples, and where each pixel's begin.
+/// The samples of one line, and where those of each pixel begin.
 struct Line {
     std::vector<Stored> samples;
     std::vector<unsigned> counts;                ///< [width]
     std::vector<std::array<char*, 6>> channels;  ///< [width] R, G, B, A, Z, id
-    std::vector<DeepPoint> points;               ///< room for a pixel's
+    std::vector<DeepPoint> points;               ///< scratch space of one pixel
 
     void gather(const Image& image, int y) {
         samples.clear();
@@ -43,13 +44,13 @@ struct Line {
         }
         std::size_t first = 0;
         for (int x = 0; x < image.width; ++x) {
-            Stored* const at = samples.data() + first;
+            Stored* const stored = samples.data() + first;
             const auto bytes = [](auto* p) { return reinterpret_cast<char*>(p); };
             channels[x].fill(nullptr);
             if (counts[x] > 0) {
-                for (int c = 0; c < 4; ++c) channels[x][c] = bytes(&at->rgba[c]);
-                channels[x][4] = bytes(&at->depth);
-                channels[x][5] = bytes(&at->id);
+                for (int c = 0; c < 4; ++c) channels[x][c] = bytes(&stored->rgba[c]);
+                channels[x][4] = bytes(&stored->depth);
+                channels[x][5] = bytes(&stored->id);
             }
             first += counts[x];
         }
@@ -65,7 +66,7 @@ void write_lines(const std::filesystem::path& path, const Image& image) {
     line.counts.resize(image.width);
     line.channels.resize(image.width);
     Imf::DeepFrameBuffer frame;
-    // All lines are read from the one: no step from a line to the next.
+    // The buffer holds one line: no stride from line to line.
     frame.insertSampleCountSlice(Imf::Slice(
         Imf::UINT, reinterpret_cast<char*>(line.counts.data()), sizeof(unsigned), 0));
     const auto add = [&](const char* name, Imf::PixelType type, std::size_t channel) {
@@ -91,7 +92,7 @@ void write_lines(const std::filesystem::path& path, const Image& image) {
 
 void write_deep_exr(const std::filesystem::path& path, const Image& image) {
     if (path.extension() != ".exr")
-        throw InputError(path.string() + ": deep pictures are written as .exr only");
+        throw InputError(path.string() + ": deep images can only be written as .exr");
     if (image.deep.empty()) throw std::invalid_argument("a picture without deep samples");
     PendingFile file(path);
     try {

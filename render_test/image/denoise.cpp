@@ -31,7 +31,7 @@ struct Window {
     }
 };
 
-/// Sums over the squares of `radius` about each place, cut at the window's edges.
+/// Replaces values by their sums over squares of `radius`, cut at the window's edges.
 template <class T>
 void box_sums(const Window& window, int radius, std::vector<T>& values) {
     std::vector<T> line(std::max(window.across(), window.y1 - window.y0));
@@ -51,7 +51,7 @@ void box_sums(const Window& window, int radius, std::vector<T>& values) {
         along(window.index(x, window.y0), window.across(), window.y1 - window.y0);
 }
 
-/// Depths as 0 to 1 from the nearest of the picture to the farthest.
+/// Maps depths to 0..1, from the nearest in the image to the farthest.
 struct DepthRange {
     float nearest = 0, scale = 0;
 };
@@ -82,8 +82,8 @@ Moments moments_of(const Guide& guide, const Eigen::Vector3f& colour) {
     return out;
 }
 
-/// The slopes with the least squared error. The first guide's is not held back: coverage
-/// times the error then adds up to nothing.
+/// The slopes with the least squared error. That of the first guide is not regularised:
+/// coverage times the error then sums to zero.
 Slopes fitted(const Moments& moments, float ridge) {
     Eigen::Matrix<float, kGuides, kGuides> pairs;
     Slopes with_colour;
@@ -98,7 +98,7 @@ Slopes fitted(const Moments& moments, float ridge) {
     return pairs.ldlt().solve(with_colour);
 }
 
-/// The guided filter's colour of one tile.
+/// Applies the guided filter to one tile.
 void filter_tile(const Image& image, const DepthRange& range,
                  const DenoiseSettings& settings, const Window& tile,
                  std::vector<Vec3f>& out) {
@@ -127,17 +127,17 @@ void filter_tile(const Image& image, const DepthRange& range,
         }
 }
 
-/// Puts detail back into one tile of `filtered`: the share of what was taken away that
-/// is more than noise.
+/// Adds detail back to one tile of `filtered`: the share of the removed signal that
+/// exceeds noise.
 void restore_tile(const Image& image, const std::vector<Vec3f>& filtered, int radius,
                   const Window& tile, std::vector<Vec3f>& out) {
     const Window all = tile.grown(radius, image);
-    std::vector<Eigen::Array2f> powers(all.size());  // taken away, noise
+    std::vector<Eigen::Array2f> powers(all.size());  // removed, noise
     for (int y = all.y0; y < all.y1; ++y)
         for (int x = all.x0; x < all.x1; ++x) {
             const std::size_t i = std::size_t(y) * image.width + x;
-            const Vec3f taken = image.rgba[i].head<3>() - filtered[i];
-            powers[all.index(x, y)] = {taken.squaredNorm(),
+            const Vec3f removed = image.rgba[i].head<3>() - filtered[i];
+            powers[all.index(x, y)] = {removed.squaredNorm(),
                                        image.variance[i].head<3>().sum()};
         }
     box_sums(all, radius, powers);
@@ -146,8 +146,8 @@ void restore_tile(const Image& image, const std::vector<Vec3f>& filtered, int ra
             const std::size_t i = std::size_t(y) * image.width + x;
             const Eigen::Array2f& power = powers[all.index(x, y)];
             const float detail = power[0] > power[1] ? 1 - power[1] / power[0] : 0;
-            const Vec3f taken = image.rgba[i].head<3>() - filtered[i];
-            out[i] = (filtered[i] + detail * taken).cwiseMax(0.0f);
+            const Vec3f removed = image.rgba[i].head<3>() - filtered[i];
+            out[i] = (filtered[i] + detail * removed).cwiseMax(0.0f);
         }
 }
 

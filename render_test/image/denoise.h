@@ -1,27 +1,27 @@
 #pragma once
-// Less noise in a finished picture, by what its other layers know.
+// Reduces the noise of a finished image, guided by its other layers.
 
 #include "render_test/image/image.h"
 
 namespace lancret {
 
 struct DenoiseSettings {
-    int radius = 4;         ///< of windows, pixels
-    int shrink_radius = 2;  ///< of those in which detail is told from noise
-    float ridge = 1e-3f;    ///< by which slopes are held back, > 0
+    int radius = 4;         ///< of filter windows, pixels
+    int shrink_radius = 2;  ///< of the windows that separate detail from noise, pixels
+    float ridge = 1e-3f;    ///< regularisation of slopes, > 0
 };
 
 /// A guided filter [He, Sun and Tang 2013, "Guided image filtering", eqs. 4 to 8 and 14]
-/// of colour, the guides being coverage, normal, tangent and depth: in each window colour
-/// is the linear function of
+/// of colour, guided by coverage, normal, tangent and depth: in each window colour is the
+/// linear function of
 ///   coverage * (1, N.x, N.y, N.z, T.x, T.y, T.z, depth)
-/// with the least squared error, and a pixel the mean of all its windows. What that
-/// leaves over is noise and detail: of it, as much is put back as in the window exceeds
-/// what `variance` says is noise, as Wiener's filter would have it.
+/// with the least squared error, and a pixel is the mean over all its windows. The
+/// remainder is noise and detail: the share by which it exceeds `variance` in the window
+/// is added back, as by Wiener's filter.
 ///
-/// Coverage stays as it is; colour without coverage is none. Other layers stay, so
-/// `variance` is that of the picture before. Throws std::invalid_argument where the
-/// picture has no variance. The same bits for any number of threads.
+/// Coverage is unchanged, and pixels without coverage have no colour. Other layers are
+/// unchanged, so `variance` remains that of the input. Throws std::invalid_argument if
+/// the image has no variance. Same bits for any number of threads.
 void denoise(Image& image, const DenoiseSettings& settings = {});
 
 }  // namespace lancret

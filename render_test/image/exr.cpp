@@ -21,7 +21,7 @@ namespace {
 
 using Metadata = std::map<std::string, std::string>;
 
-/// A file's parts on their way; holds what they are made of until it is written.
+/// The parts of a file to be written, and the buffers that they refer to.
 struct Parts {
     int width, height;
     std::deque<Imf::Header> headers;
@@ -36,14 +36,14 @@ struct Parts {
         header.setType(Imf::SCANLINEIMAGE);
         frames.emplace_back();
     }
-    /// A channel of the last part, its values `stride` bytes apart.
+    /// Adds a channel to the last part; its values are `stride` bytes apart.
     void add(const std::string& name, Imf::PixelType type, const void* data,
              std::size_t stride) {
         headers.back().channels().insert(name, Imf::Channel(type));
         char* base = const_cast<char*>(static_cast<const char*>(data));
         frames.back().insert(name, Imf::Slice(type, base, stride, stride * width));
     }
-    /// Channels of the last part, interleaved.
+    /// Adds interleaved channels to the last part.
     template <class T>
     void add(std::initializer_list<const char*> names, Imf::PixelType type,
              const T* data) {
@@ -51,7 +51,7 @@ struct Parts {
         for (const char* name : names)
             add(name, type, data + c++, names.size() * sizeof(T));
     }
-    /// The same of vectors, as halves.
+    /// The same for vectors, stored as halves.
     template <class Vector>
     void add_halves(std::initializer_list<const char*> names,
                     const std::vector<Vector>& layer) {
@@ -61,7 +61,8 @@ struct Parts {
             for (const float value : values) out.push_back(half(rounded_to_half(value)));
         add(names, Imf::HALF, out.data());
     }
-    /// Cryptomatte's own layers: ids and shares of `Ranks` a pixel, two to a layer.
+    /// Adds the layers of a Cryptomatte: `Ranks` ids with shares per pixel, two per
+    /// layer.
     template <std::size_t Ranks, class Function>
     void add_matte(const std::string& name, const Metadata& metadata,
                    const Function& ranks_of) {
@@ -85,13 +86,13 @@ struct Parts {
 
 void add_depth(const Image& image, Parts& parts) {
     std::vector<float>& depth = parts.floats.emplace_back(image.depth);
-    // Nothing is as near as the camera itself.
+    // Depth 0 marks pixels without a hit: no hit is as near as the camera itself.
     std::ranges::replace(depth, 0.0f, std::numeric_limits<float>::infinity());
     parts.begin("depth");
     parts.add({"Z"}, Imf::FLOAT, depth.data());
 }
 
-struct Named {
+struct NamedShare {
     std::string id;
     float share = 0;
 };
@@ -101,26 +102,25 @@ void add_mattes(const Image& image, Parts& parts) {
     parts.add_matte<kRanks>(
         "CryptoObject", cryptomatte_metadata("CryptoObject", {"head"}),
         [&](std::size_t i) {
-            std::array<Named, kRanks> out;
+            std::array<NamedShare, kRanks> out;
             std::size_t rank = 0;
             for (const auto& [id, share] : image.objects[i].ranks<kRanks>())
                 out[rank++] = {share > 0 ? object_name(id) : "", share};
             return out;
         });
-    parts.add_matte<2>(
-        "CryptoMaterial", cryptomatte_metadata("CryptoMaterial", {"hair", "head"}),
-        [&](std::size_t i) {
-            const float body = image.body[i];
-            const float hair = std::max(0.0f, image.rgba[i].w() - body);
-            std::array<Named, 2> out{Named{"hair", hair}, Named{"head", body}};
-            if (body > hair) std::swap(out[0], out[1]);
-            return out;
-        });
+    parts.add_matte<2>("CryptoMaterial",
+                       cryptomatte_metadata("CryptoMaterial", {"hair", "head"}),
+                       [&](std::size_t i) {
+                           const float body = image.body[i];
+                           const float hair = std::max(0.0f, image.rgba[i].w() - body);
+                           std::array<NamedShare, 2> out{NamedShare{"hair", hair},
+                                                         NamedShare{"head", body}};
+                           if (body > hair) std::swap(out[0], out[1]);
+                           return out;
+                       });
 }
 
 }  // namespace
-
-float rounded_to_half(float x) { return half(std::clamp(x, -65504.0f, 65504.0f)); }
 
 void write_exr(const std::filesystem::path& path, const Image& image) {
     Parts parts{image.width, image.height, {}, {}, {}, {}};

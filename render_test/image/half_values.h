@@ -1,12 +1,10 @@
 #pragma once
-// Numbers in half precision, by which pictures are stored.
-
-#include <cstdint>
+// Half precision, in which images are stored.
 
 namespace lancret {
 
-/// The nearest half, and the float that it is. Values of half precision stay finite: the
-/// largest half is 65504.
+/// The half nearest to `x`, as a float. The result is finite: `x` is clamped to the
+/// largest half, 65504.
 float rounded_to_half(float x);
 
 }  // namespace lancret

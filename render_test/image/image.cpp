@@ -79,11 +79,11 @@ bool draw_text(Image& image, int x, int y, const std::string& text, int size,
                const Vec3f& colour) {
     if (text.empty()) return true;
     const float ink[] = {colour.x(), colour.y(), colour.z(), 1};
-    // The library's own choice first, then what most systems have.
+    // The library's default first, then fonts that most systems have.
     for (const char* font : {"", "DejaVuSans", "LiberationSans-Regular", "FreeSans"}) {
         const OIIO::ROI box = OIIO::ImageBufAlgo::text_size(text, size, font);
         if (!box.defined()) continue;
-        // On a page with room about the letters: the library fails where they leave it.
+        // On a page with a margin around the letters: the library fails if they leave it.
         const int left = x + box.xbegin - size, top = y + box.ybegin - size;
         const OIIO::ImageSpec spec(box.width() + 2 * size, box.height() + 2 * size, 4,
                                    OIIO::TypeDesc::FLOAT);
@@ -106,7 +106,7 @@ bool draw_text(Image& image, int x, int y, const std::string& text, int size,
             each_shared_pixel([](auto& on_page, auto& pixel) { pixel = on_page; });
             return true;
         }
-        pixels.geterror();  // taken, so that it is not told later
+        pixels.geterror();  // clears the error, so that it is not reported later
     }
     return false;
 }

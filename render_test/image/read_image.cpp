@@ -1,4 +1,4 @@
-// Pictures from disk.
+#include "render_test/image/read_image.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -13,7 +13,7 @@ namespace lancret {
 
 namespace fs = std::filesystem;
 
-Texture read_colour_map(const fs::path& path) {
+Texture read_texture(const fs::path& path) {
     const auto fail = [&](const std::string& why) {
         return InputError(path.string() + ": " + why);
     };

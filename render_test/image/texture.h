@@ -1,5 +1,5 @@
 #pragma once
-// A texture: texels, and the colour between them.
+// A texture and its interpolation.
 
 #include <cstddef>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace lancret {
 
-/// Linear RGB texels, row after row from the top.
+/// Linear RGB texels, row by row from the top.
 struct Texture {
     int width = 0, height = 0;
     std::vector<Vec3f> texels;  ///< [width * height]

@@ -10,8 +10,8 @@
 namespace lancret {
 namespace {
 
-/// Turns weights into a distribution function, [size + 1], in place of its tail; gives
-/// their sum. All zero: uniform.
+/// Writes the distribution function of weights, [size + 1]; uniform if all are zero.
+/// Returns their sum.
 double accumulate(std::span<const double> weights, std::span<float> distribution) {
     double total = 0;
     for (const double w : weights) total += w;
@@ -25,7 +25,8 @@ double accumulate(std::span<const double> weights, std::span<float> distribution
     return total;
 }
 
-/// The bin that holds `random`, whose place within it is written back.
+/// The bin that contains `random`, which is replaced by its position within the bin,
+/// 0..1.
 int bin_of(std::span<const float> distribution, float& random) {
     const auto above = std::upper_bound(distribution.begin(), distribution.end(), random);
     const int last = int(distribution.size()) - 2;
@@ -66,7 +67,7 @@ Environment::Environment(Texture map, const Vec3f& up, float rotation)
         return double(luminance(map_.at((x + w) % w, std::clamp(y, 0, h - 1))));
     };
     for (int y = 0; y < h; ++y) {
-        // The mean of bilinear interpolation over a texel: 1/8, 6/8, 1/8 each way.
+        // The mean of bilinear interpolation over a texel: 1/8, 6/8, 1/8 per axis.
         for (int x = 0; x < w; ++x) {
             across[x] = 0;
             for (int j = -1; j <= 1; ++j)
@@ -83,7 +84,7 @@ Environment::Environment(Texture map, const Vec3f& up, float rotation)
 
 Environment::Place Environment::place_of(const Vec3f& direction) const {
     const Vec3f d = to_map_ * direction;
-    // In a map of one column nothing changes around.
+    // A map of one column does not vary with azimuth.
     float turn = map_.width == 1 ? 0 : std::atan2(d.z(), d.x()) / (2 * kPi);
     if (turn < 0) turn += 1;
     const float across = std::sqrt(d.x() * d.x() + d.z() * d.z());

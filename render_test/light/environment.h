@@ -1,5 +1,5 @@
 #pragma once
-// Light from infinitely far, all around.
+// Light from all directions, infinitely far away.
 
 #include <limits>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace lancret {
 
-/// A direction to light, and what comes from there.
+/// A direction to light, and the light from there.
 struct LightSample {
     Vec3f direction = Vec3f::UnitY();  ///< unit, towards the light
     Vec3f radiance = Vec3f::Zero();
@@ -16,22 +16,22 @@ struct LightSample {
     float distance = std::numeric_limits<float>::infinity();  ///< cm, along `direction`
 };
 
-/// A latitude-longitude map about an up axis, its top row at the zenith. Radiance is
-/// interpolated between texel centres; sampling is proportional to each texel's mean
-/// luminance times its solid angle, uniform within a texel.
+/// A latitude-longitude map about an up axis, with its top row at the zenith. Radiance is
+/// interpolated between texel centres. Sampling is proportional to the mean luminance of
+/// a texel times its solid angle, and uniform within a texel.
 class Environment {
   public:
     /// The same radiance everywhere.
     explicit Environment(const Vec3f& radiance = Vec3f::Zero());
-    /// `up` is turned to the map's zenith; `rotation` (radian) turns the map about it.
-    /// Throws std::invalid_argument where the map is empty, negative or not finite.
+    /// `up` points to the map's zenith; `rotation` (radian) rotates the map about it.
+    /// Throws std::invalid_argument if the map is empty, negative or not finite.
     explicit Environment(Texture map, const Vec3f& up = Vec3f::UnitY(),
                          float rotation = 0);
 
     Vec3f radiance(const Vec3f& direction) const;
     float pdf(const Vec3f& direction) const;  ///< 1/sr
     LightSample sample(const Vec2f& random) const;
-    /// Both along a direction, for little more than one of them.
+    /// Radiance and pdf along a direction, at little more than the cost of one.
     LightSample along(const Vec3f& direction) const;
 
   private:
@@ -45,7 +45,7 @@ class Environment {
 
     Texture map_;
     Mat3f to_map_ = Mat3f::Identity();  ///< rows: the map's x, up, z
-    std::vector<float> rows_;           ///< [height + 1] distribution of rows
+    std::vector<float> rows_;           ///< [height + 1] distribution over rows
     std::vector<float> columns_;        ///< [height * (width + 1)] within each row
     std::vector<float> edges_;  ///< [height + 1] cosine to the zenith, 1 down to -1
 };

@@ -61,7 +61,7 @@ Rectangle rectangle_of(const RectangleLight& light) {
     return out;
 }
 
-/// One minus the cosine of the cone in which a sphere is seen from without.
+/// One minus the cosine of the cone that a sphere subtends from outside.
 float cone_versine(float sine2) {
     return sine2 / (1 + std::sqrt(std::max(0.0f, 1 - sine2)));
 }
@@ -73,25 +73,25 @@ Vec3f cap_direction(const Mat3f& frame, float versine, const Vec2f& random) {
     return (frame * Vec3f(r * std::cos(phi), r * std::sin(phi), 1 - v)).normalized();
 }
 
-/// For each shape: a direction towards it; the light along a direction.
+// Per shape: a sample towards it (`sample_of`), and its light along a direction (`met`).
 LightSample sample_of(const Environment& environment, const Vec3f&, const Vec2f& random) {
     return environment.sample(random);
 }
 
 LightSample sample_of(const Disc& disc, const Vec3f&, const Vec2f& random) {
-    // Pulled in by a rounding, so that `met` agrees.
+    // Reduced by a rounding, so that `met` agrees.
     const float versine = 0.99999f / (2 * kPi * disc.pdf);
     return {cap_direction(disc.frame, versine, random), disc.radiance, disc.pdf};
 }
 
 LightSample sample_of(const Rectangle& r, const Vec3f& from, const Vec2f& random) {
     const Vec2f place = (2 * random - Vec2f::Ones()).cwiseProduct(r.half);
-    const Vec3f apart = r.centre + r.frame.leftCols<2>() * place - from;
+    const Vec3f towards = r.centre + r.frame.leftCols<2>() * place - from;
     LightSample sample;
-    sample.distance = apart.norm();
+    sample.distance = towards.norm();
     sample.radiance = r.radiance;
     if (!(sample.distance > 0)) return sample;
-    sample.direction = apart / sample.distance;
+    sample.direction = towards / sample.distance;
     const float cosine = -sample.direction.dot(r.frame.col(2));
     if (cosine > 1e-6f)
         sample.pdf = sample.distance * sample.distance / (4 * r.half.prod() * cosine);
@@ -99,21 +99,21 @@ LightSample sample_of(const Rectangle& r, const Vec3f& from, const Vec2f& random
 }
 
 LightSample sample_of(const SphereLight& s, const Vec3f& from, const Vec2f& random) {
-    const Vec3f apart = s.centre - from;
-    const float d2 = apart.squaredNorm(), r2 = s.radius * s.radius;
+    const Vec3f towards = s.centre - from;
+    const float d2 = towards.squaredNorm(), r2 = s.radius * s.radius;
     LightSample sample;
     sample.radiance = s.radiance;
     if (d2 > r2) {
         const float versine = cone_versine(r2 / d2);
         sample.direction =
-            cap_direction(frame_about(apart / std::sqrt(d2)), versine, random);
+            cap_direction(frame_about(towards / std::sqrt(d2)), versine, random);
         sample.pdf = 1 / (2 * kPi * versine);
     } else {
         sample.direction = uniform_sphere(random);
         sample.pdf = 1 / (4 * kPi);
     }
-    const float along = apart.dot(sample.direction);
-    const float across2 = (apart - along * sample.direction).squaredNorm();
+    const float along = towards.dot(sample.direction);
+    const float across2 = (towards - along * sample.direction).squaredNorm();
     const float half = std::sqrt(std::max(0.0f, r2 - across2));
     sample.distance = d2 > r2 ? std::max(along - half, 0.0f) : along + half;
     return sample;
@@ -124,7 +124,7 @@ LightSample met(const Environment& environment, const Vec3f&, const Vec3f& direc
 }
 
 LightSample met(const Disc& disc, const Vec3f&, const Vec3f& direction) {
-    // By the cross product: one minus a cosine has no digits for a disc like the sun.
+    // By the cross product: one minus a cosine loses all digits for a disc like the sun.
     const Vec3f axis = disc.frame.col(2);
     if (axis.dot(direction) <= 0 || axis.cross(direction).squaredNorm() > disc.sine2)
         return {};
@@ -133,22 +133,22 @@ LightSample met(const Disc& disc, const Vec3f&, const Vec3f& direction) {
 
 LightSample met(const Rectangle& r, const Vec3f& from, const Vec3f& direction) {
     const float cosine = -direction.dot(r.frame.col(2));
-    const Vec3f apart = from - r.centre;
+    const Vec3f offset = from - r.centre;
     if (cosine <= 1e-6f) return {};
-    const float distance = apart.dot(r.frame.col(2)) / cosine;
+    const float distance = offset.dot(r.frame.col(2)) / cosine;
     if (!(distance > 0)) return {};
     const Vec2f place =
-        r.frame.leftCols<2>().transpose() * (apart + distance * direction);
+        r.frame.leftCols<2>().transpose() * (offset + distance * direction);
     if ((place.cwiseAbs() - r.half).maxCoeff() > 0) return {};
     return {direction, r.radiance, distance * distance / (4 * r.half.prod() * cosine),
             distance};
 }
 
 LightSample met(const SphereLight& s, const Vec3f& from, const Vec3f& direction) {
-    const Vec3f apart = s.centre - from;
-    const float d2 = apart.squaredNorm(), r2 = s.radius * s.radius;
-    const float along = apart.dot(direction);
-    const float across2 = (apart - along * direction).squaredNorm();
+    const Vec3f towards = s.centre - from;
+    const float d2 = towards.squaredNorm(), r2 = s.radius * s.radius;
+    const float along = towards.dot(direction);
+    const float across2 = (towards - along * direction).squaredNorm();
     if (d2 > r2 && (along <= 0 || across2 > r2)) return {};
     const float half = std::sqrt(std::max(0.0f, r2 - across2));
     if (d2 > r2)

@@ -1,5 +1,5 @@
 #pragma once
-// Everything that shines: an environment and any number of other lights.
+// The lights of a scene: an environment and any number of others.
 
 #include <limits>
 #include <variant>
@@ -9,47 +9,47 @@
 
 namespace lancret {
 
-/// A far disc of even radiance, such as the sun.
+/// A distant disc of uniform radiance, such as the sun.
 struct DistantLight {
     Vec3f direction = Vec3f::UnitY();  ///< towards the light; any length but zero
-    Vec3f irradiance = Vec3f::Ones();  ///< on a surface that faces it
+    Vec3f irradiance = Vec3f::Ones();  ///< on a surface facing the light
     float angular_radius = 0.01f;      ///< radian, 0.0005 to 1.5; the sun's is 0.0047
 };
 
-/// A rectangle that shines evenly to the side that its normal points to.
+/// A rectangle of uniform radiance that shines to the side of its normal.
 struct RectangleLight {
-    Vec3f centre = Vec3f::Zero();      ///< cm
-    Vec3f normal = -Vec3f::UnitY();    ///< any length but zero
-    Vec3f up = Vec3f::UnitZ();         ///< the height's direction, made to lie across
+    Vec3f centre = Vec3f::Zero();    ///< cm
+    Vec3f normal = -Vec3f::UnitY();  ///< any length but zero
+    Vec3f up = Vec3f::UnitZ();  ///< direction of the height, projected onto the plane
     Vec2f size = Vec2f::Constant(10);  ///< width, height; cm, above 0
     Vec3f radiance = Vec3f::Ones();
 };
 
-/// A ball that shines evenly outward, and inward where one is within it.
+/// A sphere of uniform radiance that shines outward and inward.
 struct SphereLight {
     Vec3f centre = Vec3f::Zero();  ///< cm
     float radius = 1;              ///< cm, above 0
     Vec3f radiance = Vec3f::Ones();
 };
 
-/// The lights of a scene. They are seen through each other and hide nothing.
+/// The lights of a scene. They do not occlude each other or anything else.
 class Lights {
   public:
-    /// Throws std::invalid_argument where a light is out of its range.
+    /// Throws std::invalid_argument if a light is out of range.
     explicit Lights(Environment environment = Environment(),
                     const std::vector<DistantLight>& distant = {},
                     const std::vector<RectangleLight>& rectangles = {},
                     const std::vector<SphereLight>& spheres = {});
 
-    /// The environment, and after it all others.
+    /// Number of lights; number 0 is the environment.
     std::size_t size() const { return shapes_.size(); }
 
-    /// A direction from a place (cm) to one light, with that light's radiance and
-    /// density alone. Density 0 where none is to be had.
+    /// A direction from a point (cm) to one light, with only that light's radiance and
+    /// density. Density 0 if the light cannot be sampled from there.
     LightSample sample(std::size_t light, const Vec3f& from, const Vec2f& random) const;
 
-    /// The sum of what comes along a unit direction from lights up to `far` (cm; infinity
-    /// for all), each light times `weight(density of sampling it so)`.
+    /// Sum of the radiance along a unit direction from lights up to `far` (cm; infinity
+    /// for all), each times `weight(density of sampling that light in this direction)`.
     template <class Weight>
     Vec3f along(const Vec3f& from, const Vec3f& direction, float far,
                 const Weight& weight) const {
@@ -62,7 +62,7 @@ class Lights {
         }
         return sum;
     }
-    /// All of it, unweighted.
+    /// As `along`, from all lights and unweighted.
     Vec3f radiance(const Vec3f& from, const Vec3f& direction) const;
 
     const Environment& environment() const;
@@ -89,9 +89,9 @@ class Lights {
     std::vector<Shape> shapes_;  ///< the environment first
 };
 
-/// Light that makes strands readable: a key above and to the left of the viewer, a soft
-/// fill from the right, a rim from behind, a dim sky. `view` is the unit direction of
-/// sight, `up` the up axis.
+/// Lights that make strands readable: a key light above and to the left of the viewer, a
+/// soft fill light from the right, a rim light from behind and a dim sky. `view` is the
+/// unit viewing direction, `up` the up axis.
 Lights default_lights(const Vec3f& view, const Vec3f& up);
 
 }  // namespace lancret

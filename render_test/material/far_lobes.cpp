@@ -19,18 +19,19 @@ FarTable::Node between(const FarTable::Node& a, const FarTable::Node& b, float s
     return out;
 }
 
-/// Where a value in [0, 1] lies among `spans` spans.
+/// The position of a value in [0, 1] among `spans` spans.
 struct Place {
     int span;
     float share;  ///< 0..1
 };
 Place place_of(float x, int spans) {
-    const float at = x * float(spans);
-    const int span = std::clamp(int(at), 0, spans - 1);
-    return {span, std::clamp(at - float(span), 0.0f, 1.0f)};
+    const float scaled = x * float(spans);
+    const int span = std::clamp(int(scaled), 0, spans - 1);
+    return {span, std::clamp(scaled - float(span), 0.0f, 1.0f)};
 }
 
-/// The interpolated weights may undershoot where nearly all is absorbed.
+/// Weights after absorption. Interpolated weights may undershoot where nearly all is
+/// absorbed.
 float absorbed(const Array4f& weights, const Array4f& kept) {
     return std::max(0.0f, (weights * kept).sum());
 }
@@ -98,8 +99,8 @@ BsdfValue FarHairBsdf::evaluate(float sine_i, float cosine_i, float phi) const {
     return at;
 }
 
-/// |phi| of a lobe, from the share of samples that each row has in the linear mix of two,
-/// and then from that row.
+/// Samples |phi| of a lobe: first one of the two rows that are mixed linearly, by its
+/// share of samples, then an angle of that row.
 float FarHairBsdf::sampled_azimuth(int lobe, float pick, float random) const {
     const std::size_t nodes = std::size_t(table_->cells) + 1;
     const auto density = [&](const FarTable::Node& node) {
@@ -113,8 +114,9 @@ float FarHairBsdf::sampled_azimuth(int lobe, float pick, float random) const {
     const auto cell = std::ptrdiff_t(
         std::upper_bound(below + 1, below + nodes - 1, random) - below - 1);
     // Within a cell the density is linear.
-    const FarTable::Node* at = &table_->nodes[row * nodes + cell];
-    const float a = std::max(0.0f, density(at[0])), b = std::max(0.0f, density(at[1]));
+    const FarTable::Node* ends = &table_->nodes[row * nodes + cell];
+    const float a = std::max(0.0f, density(ends[0])),
+                b = std::max(0.0f, density(ends[1]));
     const float width = below[cell + 1] - below[cell];
     const float v =
         width > 0 ? std::clamp((random - below[cell]) / width, 0.0f, 1.0f) : 0;
@@ -129,7 +131,7 @@ std::optional<BsdfSample> FarHairBsdf::sample(float pick, float azimuth,
     while (p + 1 < kHairLobes && pick >= probability_[p]) pick -= probability_[p++];
     const float sine_i = sampled_sine(*model_, wo_, p, longitude);
     const float cosine_i = std::sqrt(std::max(0.0f, 1 - sine_i * sine_i));
-    // The azimuth's random number is the sign's too, and the rest of `pick` the row's.
+    // The random number of the azimuth also chooses its sign, the rest of `pick` the row.
     const bool left = azimuth < 0.5f;
     const float random = left ? 2 * azimuth : 2 * azimuth - 1;
     const float phi =

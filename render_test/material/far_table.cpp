@@ -1,11 +1,10 @@
-// The tables of far-field lobes, row by row of the viewer's inclination.
+#include "render_test/material/far_table.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "render_test/material/far_lobes.h"
 #include "render_test/sampling/sampling.h"
 
 namespace lancret {
@@ -15,14 +14,14 @@ using Eigen::Array4f, Eigen::ArrayXf;
 
 constexpr int kRowCount = kFarRows + 1, kDepthCount = kFarDepths + 1;
 
-/// Offsets h = sin(gamma), gamma at the middles of even steps. R and TT turn by at most
-/// two steps from one to the next and TRT by six, so steps of a quarter of the lobes'
-/// scale s keep a sum of lobes smooth.
+/// Offsets h = sin(gamma), with gamma at the middles of uniform steps. From one to the
+/// next R and TT turn by at most two steps and TRT by six, so steps of a quarter of the
+/// lobes' scale s keep a sum of lobes smooth.
 constexpr int kMinOffsets = 64, kMaxOffsets = 1024;
 
 /// One offset h > 0 at one inclination.
 struct Offset {
-    float weight;                  ///< these sum to one
+    float weight;                  ///< weights sum to one
     float reflected;               ///< Fresnel's f
     float c;                       ///< cosine of gamma_t
     std::array<float, 3> azimuth;  ///< Phi of R, TT, TRT
@@ -58,27 +57,27 @@ ArrayXf logistic_distribution(const HairModel& model, const ArrayXf& x) {
     return ((x < 0).select(1 - upper, upper) - model.s_tail) / (1 - 2 * model.s_tail);
 }
 
-/// Calls add(cell, mass) with D about `azimuth` as masses around the nodes of phi from 0
-/// to pi; they sum to one, and D and its mirror image count half each.
+/// Distributes D about `azimuth` over the nodes of phi from 0 to pi: calls add(node,
+/// mass) with masses that sum to one. D and its mirror image count half each.
 template <class Add>
 void spread_over(const HairModel& model, int cells, float azimuth, const Add& add) {
     constexpr float kReach = 20;  // in s: exp(-20) = 2e-9 of D lies beyond
     const float step = kPi / float(cells);
     const int around = 2 * cells;
     const float first = azimuth - std::min(kPi, kReach * model.s);
-    // The first boundary between nodes that is not before it.
+    // The first boundary between nodes at or after `first`.
     const auto boundary = std::ptrdiff_t(std::ceil(first / step - 0.5f));
     const int count =
         std::min(around, 1 + int(std::ceil(2 * std::min(kPi, kReach * model.s) / step)));
-    const ArrayXf at =
+    const ArrayXf angles =
         ((ArrayXf::LinSpaced(count, 0, float(count - 1)) + (float(boundary) + 0.5f)) *
              step -
          azimuth)
             .max(-kPi)
             .min(kPi);
-    const ArrayXf below = logistic_distribution(model, at);
+    const ArrayXf below = logistic_distribution(model, angles);
     for (int i = 0; i < count; ++i) {
-        // What is left is the mass from the last boundary round to the first.
+        // The last mass is that from the last boundary around to the first.
         const float mass =
             i + 1 < count ? below[i + 1] - below[i] : 1 - below[count - 1] + below[0];
         const auto node = int(((boundary + i + 1) % around + around) % around);
@@ -86,7 +85,7 @@ void spread_over(const HairModel& model, int cells, float azimuth, const Add& ad
     }
 }
 
-/// The four cubics that are one at one node and zero at the others.
+/// The values at `c` of the four cubics that are one at one node and zero at the others.
 Array4f lagrange(const Array4f& nodes, float c) {
     Array4f out = Array4f::Ones();
     for (int k = 0; k < 4; ++k)
@@ -95,8 +94,8 @@ Array4f lagrange(const Array4f& nodes, float c) {
     return out;
 }
 
-/// By the trapezium rule on the whole circle: the exact integral of what is linear
-/// between nodes.
+/// The integral over the whole circle by the trapezium rule, which is exact for functions
+/// that are linear between nodes.
 FarTable::Energy integral(const FarTable::Node* nodes, int cells) {
     FarTable::Energy sum;
     for (int j = 0; j <= cells; ++j) {
@@ -120,7 +119,7 @@ void fill_row(const HairModel& model, int row, FarTable& table) {
         const Array4f through =
             o.weight * enters * enters * lagrange(table.c, o.c) * float(cells) / kPi;
         const float surface = o.weight * o.reflected * float(cells) / kPi;
-        // A node within has half of the mass at either sign of phi.
+        // An inner node has half of its mass at each sign of phi.
         const auto share = [&](int j) { return j == 0 || j == cells ? 1.0f : 0.5f; };
         spread_over(model, cells, o.azimuth[0],
                     [&](int j, float mass) { nodes[j].r += mass * share(j) * surface; });
@@ -160,7 +159,7 @@ void fill_distribution(int row, FarTable& table) {
 }  // namespace
 
 FarTable::FarTable(const HairModel& model)
-    // Cells of a fifth of D's scale, where that is not too small.
+    // Cells of a fifth of D's scale, within limits.
     : cells(std::clamp(int(std::ceil(kPi / (0.2f * model.s))), 64, 512)),
       least_c(std::sqrt(1 - 1 / (model.eta * model.eta))),
       nodes(std::size_t(kRowCount) * (cells + 1)),

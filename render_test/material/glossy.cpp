@@ -5,19 +5,19 @@ namespace {
 
 float square(float x) { return x * x; }
 
-/// GGX: the density of facets of unit normal `m`, by projected area.
+/// GGX: the density of facets with unit normal `m`, by projected area.
 float facets(const Vec3f& m, float alpha) {
     const float t = (square(m.x()) + square(m.y())) / square(alpha) + square(m.z());
     return 1 / (kPi * square(alpha) * square(t));
 }
 
-/// Smith's Lambda: hidden over seen facets in direction `w`.
+/// Smith's Lambda: the ratio of hidden to visible facets in direction `w`.
 float hidden(const Vec3f& w, float alpha) {
     const float tangent2 = (square(w.x()) + square(w.y())) / square(w.z());
     return (std::sqrt(1 + square(alpha) * tangent2) - 1) / 2;
 }
 
-/// A facet by the area that `wo` sees of it [Dupuy and Benyoub 2023].
+/// Samples a facet by its area visible from `wo` [Dupuy and Benyoub 2023].
 Vec3f seen_facet(const Vec3f& wo, float alpha, const Vec2f& random) {
     const Vec3f o = Vec3f(alpha * wo.x(), alpha * wo.y(), wo.z()).normalized();
     const float z = (1 - random.y()) * (1 + o.z()) - o.z(), phi = 2 * kPi * random.x();

@@ -10,14 +10,13 @@
 namespace lancret {
 namespace {
 
-// The lobes are one vector. Its exponential is Eigen's, good to 2 units in the last
-// place.
+// The lobes are one vector. Eigen's exponential is accurate to 2 units in the last place.
 using Eigen::Array4f;
 static_assert(kHairLobes == 4);
 
 float square(float x) { return x * x; }
 
-/// The odd power of x, by squaring.
+/// x to the power n, by squaring.
 float power(float x, int n) {
     float result = 1;
     for (; n; n >>= 1, x *= x)
@@ -39,7 +38,7 @@ float sampled_azimuth(float random, const HairModel& model) {
     return std::clamp(model.s * std::log(p / (1 - p)), -kPi, kPi);
 }
 
-/// Angles less the whole turns nearest to them.
+/// Angles, reduced to [-pi, pi] by whole turns.
 Array4f wrapped(const Array4f& angle) {
     return angle - 2 * kPi * (angle / (2 * kPi) + 0.5f).floor();
 }
@@ -94,15 +93,15 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo
     const float gamma_t = std::asin(sine_gamma_t);
     const float length = 2 * cosine_gamma_t / cosine_t;  // in radii
 
-    // A [Chiang et al. 2016, Eq. 11-12, residual from pbrt]. 1 - T f is taken apart so
-    // that it keeps its digits where both near one; where f is one nothing enters.
+    // A [Chiang et al. 2016, Eq. 11-12, residual from pbrt]. 1 - T f is split so that it
+    // keeps its digits if both are close to one; if f is one nothing enters.
     const float f =
         fresnel_dielectric(cosine_o * std::sqrt(std::max(0.0f, 1 - h * h)), model.eta);
     const float enters = std::max(0.0f, 1 - f);
     Array4f depth = Array4f::Zero();
     depth.head<3>() = sigma_a.array() * length;
     const Array4f transmitted = (-depth).exp();
-    // 1 - exp(-d), its series to 4e-8 where the difference has lost digits.
+    // 1 - exp(-d), by its series to 4e-8 where the difference loses digits.
     const Array4f lost =
         (depth < 0.01f)
             .select(depth * (1 - depth * (0.5f - depth * (1.0f / 6))), 1 - transmitted);
@@ -142,7 +141,8 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo
     attenuation_[0].setConstant(f[0]);
     attenuation_[1] = enters * (1 - f[1]) * first;
     attenuation_[2] = (1 - f[2]) * inside;
-    // What stays in goes on as in a circle, by the first Fresnel term and last chord.
+    // The light that stays inside continues as in a circle, with the first Fresnel term
+    // and the last chord.
     attenuation_[3].setZero();
     if (enters > 0)
         attenuation_[3] = (f[2] * inside.array() * enters * second.array() /
@@ -156,11 +156,6 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo
 Array4f HairBsdf::densities(float sine_i, float cosine_i, float phi_i) const {
     return longitudinal(*model_, wo_, sine_i, cosine_i) *
            azimuthal(wrapped(phi_i - phi_), *model_);
-}
-
-float HairBsdf::lobe_density(int lobe, const Vec3f& wi) const {
-    return densities(std::clamp(wi.x(), -1.0f, 1.0f), length_across(wi),
-                     std::atan2(wi.z(), wi.y()))[lobe];
 }
 
 BsdfValue HairBsdf::evaluate(const Vec3f& wi) const {

@@ -50,12 +50,12 @@ Vec3f sigma_a_of(const HairMaterial& material) {
     return sigma_a_of_melanin(material.eumelanin, material.pheomelanin);
 }
 
-HairMaterial widened(const HairMaterial& material, float least) {
-    HairMaterial wide = material;
-    wide.sigma_a = sigma_a_of(material);
-    wide.beta_m = std::max(material.beta_m, least);
-    wide.beta_n = std::max(material.beta_n, least);
-    return wide;
+HairMaterial roughened(const HairMaterial& material, float minimum) {
+    HairMaterial out = material;
+    out.sigma_a = sigma_a_of(material);
+    out.beta_m = std::max(material.beta_m, minimum);
+    out.beta_n = std::max(material.beta_n, minimum);
+    return out;
 }
 
 }  // namespace lancret

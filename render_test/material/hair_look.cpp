@@ -8,7 +8,7 @@
 namespace lancret {
 namespace {
 
-/// What a strand's random numbers are drawn for; any two constants.
+/// Salts of a strand's random numbers; any two different constants.
 constexpr std::uint64_t kMelaninSalt = 0x6d656c61, kRoughnessSalt = 0x726f7567;
 
 constexpr int kRoughnesses = 17;
@@ -41,16 +41,16 @@ HairLook::HairLook(const HairMaterial& material, float least_roughness)
       seed_(material.seed) {
     for (const float v : {material.melanin_variation, material.roughness_variation})
         if (!(v >= 0 && v <= 1))
-            throw std::invalid_argument("a hair's variation must be within 0 and 1");
+            throw std::invalid_argument("hair variation must be within 0 and 1");
     if (!(least_roughness >= 0 && least_roughness <= 1))
-        throw std::invalid_argument("a hair's least roughness must be within 0 and 1");
-    const HairModel as_said(material);  // refuses what is out of range
+        throw std::invalid_argument("minimum hair roughness must be within 0 and 1");
+    const HairModel unvaried(material);  // throws if a value is out of range
     const int levels = material.roughness_variation > 0 ? kRoughnesses : 1;
     for (int i = 0; i < levels; ++i) {
         const float share = levels > 1 ? 2 * float(i) / float(levels - 1) - 1 : 0;
-        const HairMaterial own =
+        const HairMaterial varied =
             with_roughness(material, 1 + share * material.roughness_variation);
-        models_.emplace_back(widened(own, least_roughness));
+        models_.emplace_back(roughened(varied, least_roughness));
     }
     far_tables_ = std::make_shared<FarTables>(models_.size());
 }
@@ -58,7 +58,7 @@ HairLook::HairLook(const HairMaterial& material, float least_roughness)
 std::size_t HairLook::level(std::uint32_t strand) const {
     if (models_.size() == 1) return 0;
     const float random = unit_float(hash_bits(seed_, strand, kRoughnessSalt));
-    // Half a level at each end goes to the outermost: levels are the nearest.
+    // The nearest level; the outermost get half as many strands.
     return std::size_t(random * float(kRoughnesses - 1) + 0.5f);
 }
 

@@ -1,36 +1,35 @@
 #pragma once
-// The material of a whole groom: how its strands differ, and how each changes from root
-// to tip.
+// The look of all strands of a groom: variation between strands and from root to tip.
 
 #include <memory>
 #include <vector>
 
-#include "render_test/material/far_lobes.h"
+#include "render_test/material/far_table.h"
 
 namespace lancret {
 
-/// What each strand of a material is. Absorption is linear from root to tip: that of
-/// pigments which thin out evenly. A strand's own share of the variation is a hash of
-/// seed and strand: 1 - v to 1 + v times, evenly, so that the mean is the material's.
+/// The material of each strand. Absorption is linear from root to tip, as of pigments
+/// that thin out evenly. Variation multiplies by a factor hashed from seed and strand,
+/// uniform in 1 - v to 1 + v, so that the mean is that of the material.
 class HairLook {
   public:
-    /// Every strand alike.
+    /// The same for every strand.
     HairLook(HairModel model);  // NOLINT(google-explicit-constructor)
-    /// Strands of which both roughnesses are at least `least_roughness` (0 to 1). They
-    /// absorb as without it, even where a colour was given. Throws std::invalid_argument
-    /// where a value is out of its range.
+    /// Strands whose roughnesses are both at least `least_roughness` (0 to 1). It does
+    /// not change absorption, even if that is set by a colour. Throws
+    /// std::invalid_argument if a value is out of range.
     explicit HairLook(const HairMaterial& material, float least_roughness = 0);
 
-    /// The strand's lobes; of 17 roughnesses, the strand's own or the nearest.
+    /// The lobes of a strand; with varied roughness, the nearest of 17 levels.
     const HairModel& model(std::uint32_t strand) const { return models_[level(strand)]; }
-    /// That model averaged over the strand's width.
+    /// That model averaged over the strand's width; built on first use.
     const FarTable& far_table(std::uint32_t strand) const {
         const std::size_t at = level(strand);
         return far_tables_->table(at, models_[at]);
     }
-    /// Per radius; `along` goes from 0 at the root to 1 at the tip.
+    /// Per radius; `along` is 0 at the root to 1 at the tip.
     Vec3f sigma_a(std::uint32_t strand, float along) const;
-    /// What a dense groom of such strands shows, about.
+    /// Approximate colour of a dense groom of such strands.
     Vec3f colour(std::uint32_t strand, float along) const;
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-// A dull surface: the mesh under the strands.
+// A diffuse surface: the mesh under the strands.
 
 #include <optional>
 
@@ -10,21 +10,21 @@
 
 namespace lancret {
 
-/// A dull surface, the same on both sides.
+/// The material of the mesh, equal on both sides.
 struct MeshMaterial {
-    Vec3f colour = Vec3f(0.18f, 0.13f, 0.11f);  ///< share of light sent back, 0..1
-    std::optional<Texture> texture;             ///< by UV, times `colour`
-    std::optional<float> coat_roughness;        ///< 0.05 to 1; none: no coat (glossy.h)
+    Vec3f colour = Vec3f(0.18f, 0.13f, 0.11f);  ///< share of light reflected, 0..1
+    std::optional<Texture> texture;             ///< by UV, multiplied by `colour`
+    std::optional<float> coat_roughness;        ///< 0.05 to 1; unset: no coat (glossy.h)
 };
 
-/// What the surface sends back at a hit.
+/// The share of light reflected at a hit.
 inline Vec3f surface_colour(const MeshMaterial& material, const Hit& hit) {
     if (!material.texture) return material.colour;
-    return material.colour.cwiseProduct(texture_colour(*material.texture, hit.uv));
+    return material.colour.cwiseProduct(texture_colour(*material.texture, hit.mesh.uv));
 }
 
-/// The surface at one hit. Local axes: z the normal on the viewer's side. Values are BSDF
-/// times cosine, as those of HairBsdf.
+/// The diffuse surface at one hit. Local axes: z is the normal on the viewer's side.
+/// Values are BSDF times cosine, as of HairBsdf.
 class Lambert {
   public:
     Lambert(const MeshMaterial& material, const Hit& hit)

@@ -22,7 +22,7 @@ Array4f polynomial(const Array4f& x, const std::array<float, N>& coefficients) {
 }
 
 /// The Bessel function I0(x) exp(-x - y) for x, y >= 0 [Abramowitz and Stegun,
-/// Eq. 9.8.1-9.8.2], to 2e-7 of its value but for the exponential's own error.
+/// Eq. 9.8.1-9.8.2], to a relative error of 2e-7 besides that of the exponential.
 Array4f bessel_i0_scaled(const Array4f& x, const Array4f& y) {
     constexpr float kJoint = 3.75f;
     const auto small = x < kJoint;
@@ -47,8 +47,8 @@ TurnedInclination turned_inclination(const HairModel& model, float sine_o,
 }
 
 /// M [d'Eon et al. 2011, Eq. 7; Chiang et al. 2016, Eq. 6] = exp(-b) I0(a) / (2 v
-/// sinh(1/v)) with a = ci co / v and b = si so / v. The exponentials are joined into
-/// exp((cos(ti + to) - 1) / v), which is at most one for any v: no branch for small v.
+/// sinh(1/v)) with a = ci co / v and b = si so / v. The exponentials are combined into
+/// exp((cos(ti + to) - 1) / v), which is at most one, so small v needs no branch.
 Array4f longitudinal(const HairModel& model, const TurnedInclination& wo, float sine_i,
                      float cosine_i) {
     const Array4f& v = model.variance;
@@ -60,8 +60,8 @@ Array4f longitudinal(const HairModel& model, const TurnedInclination& wo, float 
 float sampled_sine(const HairModel& model, const TurnedInclination& wo, int lobe,
                    const Vec2f& random) {
     // M is sampled about the mirrored inclination [d'Eon et al. 2013, "Importance
-    // Sampling for Physically-Based Hair Fiber Models"]; one minus the cosine keeps its
-    // digits.
+    // Sampling for Physically-Based Hair Fiber Models"], by one minus the cosine, which
+    // keeps its digits.
     const float versine = std::min(
         2.0f, -model.variance[lobe] * std::log1p(-model.spread[lobe] * random.x()));
     const float across = std::sqrt(versine * (2 - versine));

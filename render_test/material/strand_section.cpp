@@ -10,8 +10,8 @@ namespace {
 
 float square(float x) { return x * x; }
 
-/// Turns from one medium to another at a surface of unit normal `n` that `d` runs
-/// against; `ratio` is the index before over that behind. False where none goes through.
+/// Refracts `d` at a surface of unit normal `n` on its side; `ratio` is the index of the
+/// first medium over that of the second. Returns false at total reflection.
 bool refract(const Vec2f& d, const Vec2f& n, float ratio, Vec2f& out) {
     const float cosine = -d.dot(n);
     const float sine2 = square(ratio) * std::max(0.0f, 1 - square(cosine));
@@ -28,15 +28,15 @@ Vec2f reflect(const Vec2f& d, const Vec2f& n) {
 
 SectionPaths section_paths(const StrandSection& section, float h, float cosine_o,
                            float bravais, float eta) {
-    // In the ellipse's own axes: the major one is x. The viewer's z lies at `turn`.
+    // In the axes of the ellipse, x being the major one. `back` is the viewer's z.
     const float c = std::cos(section.angle), s = std::sin(section.angle);
     const Vec2f across(c, -s), back(s, c);
     const Vec2f inverse2(1, 1 / square(section.aspect));
     const auto normal_at = [&](const Vec2f& p) -> Vec2f {
         return p.cwiseProduct(inverse2).normalized();
     };
-    // The ray meets the ellipse where, scaled to a circle, it stands at h beside the
-    // middle: the place is across / w h + the conjugate direction sqrt(1 - h^2).
+    // Scaled to a circle, the ray meets the ellipse at h beside its middle: at h times
+    // the conjugate direction `beside` plus sqrt(1 - h^2) times that of the ray.
     const Vec2f axes(1, section.aspect);
     const Vec2f scaled = back.cwiseQuotient(axes).normalized();
     const Vec2f beside(scaled.y(), -scaled.x());

@@ -1,5 +1,5 @@
 #pragma once
-// Random directions by closed form, and the weight that combines two ways of sampling.
+// Random directions in closed form, and the weight that combines two sampling techniques.
 
 #include <algorithm>
 #include <cmath>

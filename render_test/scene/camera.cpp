@@ -12,7 +12,8 @@ namespace {
 void check_lens(float field_of_view, float aspect) {
     if (!(field_of_view > 0 && field_of_view < kPi) || !(aspect > 0))
         throw std::invalid_argument(
-            "a camera's field of view must be within 0 and 180 degrees, its aspect > 0");
+            "a camera's field of view must be between 0 and 180 degrees, its aspect "
+            "above 0");
 }
 
 }  // namespace
@@ -57,8 +58,9 @@ Camera camera_of_matrix(const Eigen::Matrix4d& to_world, float field_of_view,
         (to_world.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() < 1e-6;
     if (!rigid)
         throw std::invalid_argument(
-            "a camera's matrix must be a right-handed rotation, a place and at most one "
-            "scale");
+            "a camera's matrix must be a right-handed rotation, a translation and at "
+            "most "
+            "a uniform scale");
     Camera camera;
     camera.position = to_world.topRightCorner<3, 1>().cast<float>();
     camera.frame = Eigen::Quaterniond(turn / scale).normalized().matrix().cast<float>();
@@ -77,7 +79,7 @@ Camera look_at(const Vec3f& position, const Vec3f& target, const Vec3f& up,
                float field_of_view, float aspect) {
     const Vec3f back = position - target;
     if (!position.allFinite() || !target.allFinite() || !(back.norm() > 0))
-        throw std::invalid_argument("a camera needs a direction of sight");
+        throw std::invalid_argument("a camera needs a viewing direction");
     check_lens(field_of_view, aspect);
     Camera camera;
     camera.position = position;
@@ -95,7 +97,7 @@ Camera framed(const Eigen::AlignedBox3f& box, const Framing& framing) {
     if (box.isEmpty() || !box.min().allFinite() || !box.max().allFinite())
         throw std::invalid_argument("there is nothing to frame");
     const Vec3f centre = box.center(), view = framing.view.normalized();
-    // About the origin: far from it a float has no room for a step of one.
+    // About the origin: far from it, floats cannot resolve a unit step.
     Camera camera =
         look_at(-view, Vec3f::Zero(), framing.up, framing.field_of_view, framing.aspect);
     float distance = 0;

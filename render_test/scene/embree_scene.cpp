@@ -128,7 +128,7 @@ struct HairScene::Impl {
         strands_id = attach(g, "adding strands");
     }
 
-    /// A copy, because Embree reads 16 bytes at the last vertex.
+    /// Copies the mesh, because Embree reads 16 bytes at the last vertex.
     void add_mesh() {
         const RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
         if (shape.times() > 1) rtcSetGeometryTimeStepCount(g, unsigned(shape.times()));
@@ -148,7 +148,7 @@ struct HairScene::Impl {
         attach(g, "adding a mesh");
     }
 
-    /// Embree's question whether a hit counts.
+    /// Embree's filter: rejects hits that do not count.
     static void hit_counts(const RTCFilterFunctionNArguments* args) {
         if (args->N != 1 || !args->valid[0]) return;
         const auto& scene = *static_cast<const SceneShape*>(args->geometryUserPtr);
@@ -163,8 +163,8 @@ struct HairScene::Impl {
             pass_by_chance(scene, args);
     }
 
-    /// The chance is the ray's and the segment's, so that a segment which Embree meets
-    /// twice gives one answer.
+    /// Rejects a hit with a probability hashed from ray and segment, so that a segment
+    /// that Embree meets twice gives the same answer.
     static void pass_by_chance(const SceneShape& scene,
                                const RTCFilterFunctionNArguments* args) {
         const std::uint32_t segment = RTCHitN_primID(args->hit, 1, 0);
@@ -189,20 +189,20 @@ struct HairScene::Impl {
 
 namespace {
 
-/// Builds the BVH and tells how far it is.
+/// Builds the BVH and reports its progress.
 void commit(RTCScene scene, const std::function<void(double)>& progress) {
     struct Monitor {
-        const std::function<void(double)>& tell;
+        const std::function<void(double)>& progress;
         std::mutex mutex;
     } monitor{progress, {}};
-    const auto tell = [](void* to, double done) {
-        auto& own = *static_cast<Monitor*>(to);
-        // Who finds another telling leaves it at that.
-        const std::unique_lock lock(own.mutex, std::try_to_lock);
-        if (lock) own.tell(std::clamp(done, 0.0, 1.0));
+    const auto report = [](void* data, double done) {
+        auto& self = *static_cast<Monitor*>(data);
+        // Skipped while another thread reports.
+        const std::unique_lock lock(self.mutex, std::try_to_lock);
+        if (lock) self.progress(std::clamp(done, 0.0, 1.0));
         return true;
     };
-    if (progress) rtcSetSceneProgressMonitorFunction(scene, tell, &monitor);
+    if (progress) rtcSetSceneProgressMonitorFunction(scene, report, &monitor);
     rtcCommitScene(scene);
     rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
 }
@@ -216,7 +216,7 @@ HairScene::HairScene(const Curves& curves, const TriangleMesh* mesh,
 HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& options)
     : impl_(std::make_unique<Impl>()) {
     if (times.empty() || times.size() > kMaxSceneTimes)
-        throw std::invalid_argument("a scene has 1 to 129 times");
+        throw std::invalid_argument("a scene must have 1 to 129 times");
     if (!times[0].curves) throw std::invalid_argument("a scene needs strands");
     check_indices(*times[0].curves, times[0].mesh);
     for (const SceneTime& time : times.subspan(1)) check_alike(times[0], time);
@@ -224,13 +224,14 @@ HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& o
         throw std::invalid_argument("tessellation must be 1 to 16");
     if (!options.true_radii.empty() &&
         options.true_radii.size() != times[0].curves->points.size())
-        throw std::invalid_argument("true radii are one for each control point");
+        throw std::invalid_argument("true radii must be one per control point");
     if (!(options.aspect > 0 && options.aspect <= 1))
-        throw std::invalid_argument("a strand's aspect must be above 0, at most 1");
+        throw std::invalid_argument("a strand's aspect must be above 0 and at most 1");
     if (options.aspect < 1 &&
         (times[0].curves->shape != CurveShape::flat ||
          times[0].curves->normals.size() != times[0].curves->points.size()))
-        throw std::invalid_argument("elliptic strands are flat, with one normal a point");
+        throw std::invalid_argument(
+            "elliptic strands must be flat, with one normal per point");
     impl_->shape.true_radii = options.true_radii;
     impl_->shape.aspect = options.aspect;
     const auto start = std::chrono::steady_clock::now();

@@ -7,16 +7,15 @@ namespace lancret {
 
 namespace {
 
-/// That the table of classes says what the buffers hold.
+/// Throws if the table of classes does not match the buffers.
 void check_classes(const Curves& curves) {
     Curves counted;
     counted.basis = curves.basis;
-    for (const CurveClass& own : curves.classes)
-        counted.add_class(own.strands, own.segments);
+    for (const CurveClass& c : curves.classes) counted.add_class(c.strands, c.segments);
     if (counted.classes != curves.classes || counted.strands != curves.strands ||
         counted.segment_count() != curves.segments.size())
         throw std::invalid_argument(
-            "the table of strands and their segments does not fit the strands");
+            "the table of curve classes does not match the buffers");
 }
 
 }  // namespace
@@ -25,23 +24,23 @@ void check_indices(const Curves& curves, const TriangleMesh* mesh) {
     const bool hermite = curves.basis == CurveBasis::hermite;
     const std::size_t reach = hermite ? 2 : 4;
     if (hermite && curves.tangents.size() != curves.points.size())
-        throw std::invalid_argument("Hermite strands need one tangent a point");
+        throw std::invalid_argument("Hermite strands need one tangent per point");
     if ((curves.shape == CurveShape::ribbon || curves.normals.size() > 0) &&
         (hermite || curves.normals.size() != curves.points.size()))
         throw std::invalid_argument(
-            "strands with a face are B-splines with one normal a point");
+            "strands with faces must be B-splines with one normal per point");
     check_classes(curves);
     std::size_t segment = 0;
-    for (const CurveClass& own : curves.classes)
-        for (std::size_t i = 0; i < own.strands; ++i)
-            for (std::size_t j = 0; j < own.segments; ++j) {
+    for (const CurveClass& c : curves.classes)
+        for (std::size_t i = 0; i < c.strands; ++i)
+            for (std::size_t j = 0; j < c.segments; ++j) {
                 const std::size_t first = curves.segments[segment++];
                 if (first + reach > curves.points.size())
                     throw std::invalid_argument(
                         "a strand segment points past the control points");
-                if (first != own.point + i * own.points + j)
+                if (first != c.point + i * c.points + j)
                     throw std::invalid_argument(
-                        "a strand's segments follow each other, as its points do");
+                        "the segments of a strand must be consecutive, like its points");
             }
     if (!mesh) return;
     if (!mesh->uvs.empty() && mesh->uvs.size() != mesh->triangles.size())
@@ -58,16 +57,18 @@ void check_indices(const Curves& curves, const TriangleMesh* mesh) {
 void check_alike(const SceneTime& first, const SceneTime& other) {
     if (!other.curves || !other.mesh != !first.mesh)
         throw std::invalid_argument(
-            "a scene has strands at all times, a mesh at all or none");
+            "a scene needs strands at all times, and a mesh at all times or none");
     const Curves &a = *first.curves, &b = *other.curves;
     if (a.basis != b.basis || a.shape != b.shape || a.strands != b.strands ||
         a.classes != b.classes || a.points.size() != b.points.size() ||
         a.tangents.size() != b.tangents.size() || a.normals.size() != b.normals.size() ||
         !std::ranges::equal(a.segments.span(), b.segments.span()))
-        throw std::invalid_argument("a scene's strands are the same at all times");
+        throw std::invalid_argument(
+            "the strands of a scene must have the same layout at all times");
     if (first.mesh && (first.mesh->triangles != other.mesh->triangles ||
                        first.mesh->positions.size() != other.mesh->positions.size()))
-        throw std::invalid_argument("a scene's mesh has the same triangles at all times");
+        throw std::invalid_argument(
+            "the mesh of a scene must have the same triangles at all times");
 }
 
 }  // namespace lancret

@@ -8,28 +8,28 @@
 namespace lancret {
 namespace {
 
-/// `v` without its part along the unit vector `axis`, made unit; any vector across `axis`
-/// where nothing is left.
+/// `v` projected across the unit vector `axis`, normalised; any vector across `axis` if
+/// `v` is parallel to it.
 Vec3f unit_across(const Vec3f& v, const Vec3f& axis) {
     const Vec3f across = v - axis * axis.dot(v);
     const float length = across.norm();
     return length > 1e-6f ? Vec3f(across / length) : Vec3f(axis.unitOrthogonal());
 }
 
-/// Root to tip; across the ray where the axis stands still.
+/// Unit, root to tip; any vector across the ray if the derivative of the axis is zero.
 Vec3f tangent_of(const AxisPoint& axis, const Vec3f& direction) {
     const Vec3f along = axis.derivative.head<3>();
     const float speed = along.norm();
     return speed > 0 ? Vec3f(along / speed) : Vec3f(direction.unitOrthogonal());
 }
 
-/// Between which times a ray is, and how far.
+/// The position of a ray time between two scene times.
 struct TimeSegment {
     std::size_t from = 0;
     float share = 0;
 };
 
-/// As Embree divides the time of a scene of `times` times.
+/// Divides ray time as Embree does for this number of scene times.
 TimeSegment time_segment(float time, std::size_t times) {
     const float scaled = time * float(times - 1);
     const float from = std::clamp(std::floor(scaled), 0.0f, float(times - 2));
@@ -85,42 +85,41 @@ Vec3f SceneShape::corner_normal(std::uint32_t triangle, int corner, float time) 
 
 void SceneShape::complete_strand(const Ray& ray, Hit& hit) const {
     hit.kind = Hit::Kind::strand;
+    StrandHit& strand = hit.strand;
     const SegmentPlace place = curves[0]->place_of(hit.primitive);
-    hit.strand = place.strand;
-    hit.id = curves[0]->id_of(hit.strand);
+    strand.index = place.strand;
+    strand.id = curves[0]->id_of(strand.index);
     const AxisPoint here = axis(hit.primitive, hit.u, ray.time);
-    hit.radius = here.value.w();
-    hit.along = (float(place.in_strand) + hit.u) / float(place.of);
+    strand.radius = here.value.w();
+    strand.along = (float(place.in_strand) + hit.u) / float(place.of);
     if (!true_radii.empty() && !ray.by_chance)
-        hit.opacity = opacity(hit.primitive, hit.u, hit.radius);
+        strand.opacity = opacity(hit.primitive, hit.u, strand.radius);
     hit.tangent = tangent_of(here, ray.direction);
-    hit.facing = unit_across(-ray.direction, hit.tangent);
-    const Vec3f across = hit.facing.cross(hit.tangent);
+    strand.facing = unit_across(-ray.direction, hit.tangent);
+    const Vec3f across = strand.facing.cross(hit.tangent);
     if (curves[0]->shape == CurveShape::ribbon) {
-        // Between two times that face against each other there may be no normal left.
+        // Between two times whose normals oppose each other there may be no normal left.
         const float length = hit.normal.norm();
-        hit.normal =
-            length > 0 && std::isfinite(length) ? Vec3f(hit.normal / length) : hit.facing;
+        hit.normal = length > 0 && std::isfinite(length) ? Vec3f(hit.normal / length)
+                                                         : strand.facing;
         hit.shading_normal =
             hit.normal.dot(ray.direction) > 0 ? Vec3f(-hit.normal) : hit.normal;
-        hit.offset = hit.position - here.value.head<3>();
-        hit.ribbon = true;
+        strand.offset = hit.position - here.value.head<3>();
+        strand.ribbon = true;
     } else if (curves[0]->shape == CurveShape::flat) {
-        hit.normal = hit.facing;
-        hit.h = std::clamp(-hit.v, -1.0f, 1.0f);
-        hit.offset = hit.h * hit.radius * across;
+        hit.normal = strand.facing;
+        strand.h = std::clamp(-hit.v, -1.0f, 1.0f);
+        strand.offset = strand.h * strand.radius * across;
         if (aspect < 1) {
-            const StrandSection seen =
-                section(hit.primitive, hit.u, ray.time, hit.tangent, hit.facing);
-            hit.aspect = seen.aspect;
-            hit.section_angle = seen.angle;
-            hit.h = std::clamp(hit.h / seen.half_width(), -1.0f, 1.0f);
+            strand.section =
+                section(hit.primitive, hit.u, ray.time, hit.tangent, strand.facing);
+            strand.h = std::clamp(strand.h / strand.section.half_width(), -1.0f, 1.0f);
         }
     } else {
         hit.normal.normalize();
         const Vec3f outward = unit_across(hit.normal, hit.tangent);
-        hit.h = std::clamp(outward.dot(across), -1.0f, 1.0f);
-        hit.offset = hit.radius * outward;
+        strand.h = std::clamp(outward.dot(across), -1.0f, 1.0f);
+        strand.offset = strand.radius * outward;
     }
 }
 
@@ -141,11 +140,11 @@ void SceneShape::complete_mesh(const Ray& ray, Hit& hit) const {
                          Vec3f(1 - hit.u - hit.v, hit.u, hit.v), hit.position,
                          hit.shading_normal, -ray.direction);
         hit.shading_normal = place.normal;
-        hit.lift = place.lift;
+        hit.mesh.lift = place.lift;
     }
     if (mesh.uvs.empty()) return;
     const auto& uv = mesh.uvs[hit.primitive];
-    hit.uv = (1 - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2];
+    hit.mesh.uv = (1 - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2];
 }
 
 }  // namespace lancret

@@ -7,10 +7,10 @@
 namespace lancret {
 namespace {
 
-constexpr std::size_t kManyRound = 64;
+constexpr std::size_t kManyAround = 64;
 
-/// The number of each vertex's place: the same for vertices that are the same but for
-/// rounding, which is that of the mesh's size.
+/// The index of each vertex's position: equal for vertices that coincide to a rounding
+/// relative to the mesh's size.
 std::vector<std::uint32_t> places(const std::vector<Vec3f>& positions) {
     Eigen::AlignedBox3f box;
     for (const Vec3f& p : positions) box.extend(p);
@@ -31,7 +31,7 @@ std::vector<std::uint32_t> places(const std::vector<Vec3f>& positions) {
     return out;
 }
 
-/// Unit, or zero.
+/// `v` normalised, or zero.
 Vec3f unit(const Vec3f& v) {
     const float length = v.norm();
     return length > 0 && std::isfinite(length) ? Vec3f(v / length) : Vec3f::Zero();
@@ -56,34 +56,35 @@ CornerNormals corner_normals(const std::vector<std::array<std::uint32_t, 3>>& tr
             place[a] == place[b] || place[b] == place[c] || place[c] == place[a];
         faces[t] = thin ? Vec3f::Zero() : unit((p[1] - p[0]).cross(p[2] - p[0]));
         for (int k = 0; k < 3; ++k) {
-            const Vec3f& at = p[k];
+            const Vec3f& corner = p[k];
             weighted[t][k] =
-                angle_between(p[(k + 1) % 3] - at, p[(k + 2) % 3] - at) * faces[t];
+                angle_between(p[(k + 1) % 3] - corner, p[(k + 2) % 3] - corner) *
+                faces[t];
             ++first[place[triangles[t][k]] + 1];
         }
     }
     std::partial_sum(first.begin(), first.end(), first.begin());
-    // The corners round each place, each as 3 triangle + corner.
-    std::vector<std::uint32_t> round(3 * triangles.size()), next(first);
-    for (std::uint32_t i = 0; i < round.size(); ++i)
-        round[next[place[triangles[i / 3][i % 3]]]++] = i;
+    // The corners around each position, as 3 * triangle + corner.
+    std::vector<std::uint32_t> around(3 * triangles.size()), next(first);
+    for (std::uint32_t i = 0; i < around.size(); ++i)
+        around[next[place[triangles[i / 3][i % 3]]]++] = i;
 
     std::vector<Vec3f> of_all(positions.size(), Vec3f::Zero());
     for (std::size_t i = 0; i < positions.size(); ++i)
-        if (first[i + 1] - first[i] > kManyRound)
+        if (first[i + 1] - first[i] > kManyAround)
             for (std::uint32_t j = first[i]; j < first[i + 1]; ++j)
-                of_all[i] += weighted[round[j] / 3][round[j] % 3];
+                of_all[i] += weighted[around[j] / 3][around[j] % 3];
 
-    const float least = std::cos(crease);
+    const float min_cosine = std::cos(crease);
     CornerNormals out(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
         for (int k = 0; k < 3; ++k) {
-            const std::uint32_t at = place[triangles[t][k]];
-            Vec3f sum = of_all[at];
-            if (first[at + 1] - first[at] <= kManyRound)
-                for (std::uint32_t j = first[at]; j < first[at + 1]; ++j)
-                    if (faces[round[j] / 3].dot(faces[t]) >= least)
-                        sum += weighted[round[j] / 3][round[j] % 3];
+            const std::uint32_t here = place[triangles[t][k]];
+            Vec3f sum = of_all[here];
+            if (first[here + 1] - first[here] <= kManyAround)
+                for (std::uint32_t j = first[here]; j < first[here + 1]; ++j)
+                    if (faces[around[j] / 3].dot(faces[t]) >= min_cosine)
+                        sum += weighted[around[j] / 3][around[j] % 3];
             const Vec3f normal = unit(sum);
             out[t][k] = normal.dot(faces[t]) > 0 ? normal : faces[t];
         }

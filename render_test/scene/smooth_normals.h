@@ -11,29 +11,27 @@ namespace lancret {
 
 using CornerNormals = std::vector<std::array<Vec3f, 3>>;  ///< [triangles], unit
 
-/// The normal at each corner: the mean of those of the triangles round its place, each by
-/// its angle there, of those that lie within `crease` (radian) of the corner's own, so
-/// that an edge that is sharper stays an edge. Corners at one place belong together
-/// whatever their index (to 2e-6 of the mesh's size): a seam does not show. The sign is
-/// that of the winding; of a triangle without area they are zero. O(triangles): beyond 64
-/// triangles round a place all of them count.
+/// The normal at each corner: the mean over the triangles around its position, weighted
+/// by their angles there, and limited to triangles within `crease` (radian) of the
+/// corner's own, so that sharper edges remain. Corners at one position (to 2e-6 of the
+/// mesh's size) belong together regardless of index, so seams do not show. The sign
+/// follows the winding; zero for triangles without area. O(triangles): all are averaged
+/// if more than 64 meet.
 CornerNormals corner_normals(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                              const std::vector<Vec3f>& positions, float crease);
 
-/// A place on a triangle as light is to see it.
+/// A point on a triangle, shaded as a point of the smooth surface.
 struct SmoothPlace {
     Vec3f normal;  ///< unit
-    Vec3f lift;    ///< cm, from the triangle to the curved surface that it stands for, or
-                   ///< zero where that lies below
+    Vec3f lift;  ///< cm, from the triangle to the smooth surface; zero if that lies below
 };
 
-/// The place `position` of a triangle with these corners, its barycentrics `weights` and
-/// normals on the side that it is seen from. `face` is the flat normal, `viewer` the
-/// direction back, both unit and on that side too; the normal is turned towards the
-/// viewer as far as it faces away. The lift is half that of Hanika ["Hacking the Shadow
-/// Terminator", Ray Tracing Gems II, 2021], which is
-/// where a surface of even curvature lies: a ray that starts there does not meet the
-/// facets that the smooth surface does not have.
+/// The point `position`, of barycentrics `weights`, of a triangle with these corners and
+/// normals, which are on the viewer's side. `face` is the flat normal and `viewer` the
+/// direction to the viewer, both unit and on that side. A normal that faces away is
+/// turned towards the viewer. The lift is half that of Hanika ["Hacking the Shadow
+/// Terminator", Ray Tracing Gems II, 2021], the position of a surface of constant
+/// curvature: a ray that starts there does not hit the facets that approximate it.
 SmoothPlace smooth_place(const std::array<Vec3f, 3>& corners,
                          const std::array<Vec3f, 3>& normals, const Vec3f& weights,
                          const Vec3f& position, const Vec3f& face, const Vec3f& viewer);

@@ -12,7 +12,7 @@ Eigen::Map<const Vec4f, Eigen::Aligned16> as_vector(const Point4f& p) {
 }  // namespace
 
 AxisPoint axis_point(const Curves& curves, std::uint32_t segment, float u) {
-    // By counting and not from `segments`: that would be one more wait for memory.
+    // By counting instead of from `segments`, to save a memory access.
     const std::uint32_t first = curves.place_of(segment).point;
     const float t = 1 - u;
     if (curves.basis == CurveBasis::bspline) {

@@ -10,10 +10,11 @@ namespace lancret {
 namespace {
 
 float pixels_at(const Point4f& p, const Camera& camera, float height) {
-    const Vec3f at = camera.frame.transpose() * (Vec3f(p.x, p.y, p.z) - camera.position);
-    const float depth = -at.z(), reach = 1.5f * camera.tangent * depth;
-    if (!(depth > 0) || !(std::abs(at.y()) <= reach) ||
-        !(std::abs(at.x()) <= reach * camera.aspect))
+    const Vec3f seen =
+        camera.frame.transpose() * (Vec3f(p.x, p.y, p.z) - camera.position);
+    const float depth = -seen.z(), reach = 1.5f * camera.tangent * depth;
+    if (!(depth > 0) || !(std::abs(seen.y()) <= reach) ||
+        !(std::abs(seen.x()) <= reach * camera.aspect))
         return 0;
     const float pixels = p.w * height / (camera.tangent * depth);
     return std::isfinite(pixels) ? pixels : 0;

@@ -1,5 +1,5 @@
 #pragma once
-// How wide strands are in a picture, and what shape they are therefore drawn in.
+// The width of strands in a picture, which decides the shape that they are drawn in.
 
 #include <span>
 
@@ -8,13 +8,13 @@
 
 namespace lancret {
 
-/// Strands up to this wide in pixels are drawn flat: of one that is wider its roundness
-/// may be seen, where it bends towards the viewer or meets another.
+/// Strands up to this width in pixels are drawn flat. Wider strands may look round where
+/// they bend towards the viewer or meet another.
 inline constexpr float kFlatPixels = 4;
 
-/// Whether a strand in view of any of the cameras is wider than `pixels` in pictures of
-/// `height` pixels. Judged at control points; one counts where it lies in front of the
-/// camera and within the picture or a quarter of its size around it.
+/// Whether a strand in view of any camera is wider than `pixels` in pictures of `height`
+/// pixels. Tested at control points in front of the camera and within the picture,
+/// extended by a quarter of its size.
 bool any_wider(const Curves& curves, std::span<const Camera> cameras, int height,
                float pixels);
 

@@ -10,7 +10,8 @@
 namespace lancret {
 namespace {
 
-/// The smallest radius that is `pixels` wide at `p`, cm; 0 behind every camera.
+/// The smallest radius, over all cameras, of a strand `pixels` wide at `p`, cm; 0 behind
+/// every camera.
 float least_radius(const Point4f& p, std::span<const Camera> cameras, float pixels,
                    float height) {
     float least = std::numeric_limits<float>::infinity();
@@ -21,7 +22,7 @@ float least_radius(const Point4f& p, std::span<const Camera> cameras, float pixe
     return std::isfinite(least) ? least : 0;
 }
 
-/// The slopes of new radii at Hermite points: central differences within a strand.
+/// Sets the slopes of new radii at Hermite points, by central differences.
 void set_slopes(Curves& curves, std::uint32_t strand) {
     const std::uint32_t n = curves.points_of(strand);
     const std::size_t first = curves.first_point(strand);
@@ -38,7 +39,7 @@ void set_slopes(Curves& curves, std::uint32_t strand) {
 std::vector<float> widen_thin_strands(Curves& curves, std::span<const Camera> cameras,
                                       int height, float pixels) {
     if (!(pixels >= 0 && std::isfinite(pixels)) || height < 1)
-        throw std::invalid_argument("a strand's least width must be 0 or more pixels");
+        throw std::invalid_argument("a strand's minimum width must be 0 pixels or more");
     std::vector<float> before(curves.points.size());
     tbb::parallel_for(std::uint32_t(0), curves.strands, [&](std::uint32_t strand) {
         const std::size_t first = curves.first_point(strand);

@@ -9,8 +9,8 @@
 namespace lancret {
 namespace {
 
-/// The camera's matrix as column vectors have it, from `matrix` (USD: camera to world) or
-/// `world_to_camera` (OpenEXR: left-handed, z into the picture); files write either for
+/// The camera's matrix for column vectors, from `matrix` (USD: camera to world) or
+/// `world_to_camera` (OpenEXR: left-handed, z into the picture). Files contain either for
 /// row vectors.
 std::optional<Eigen::Matrix4d> read_matrix(const TomlTable& camera, float field_of_view) {
     const auto usd = camera.matrix("matrix"), exr = camera.matrix("world_to_camera");
@@ -18,7 +18,7 @@ std::optional<Eigen::Matrix4d> read_matrix(const TomlTable& camera, float field_
     const char* key = usd ? "matrix" : "world_to_camera";
     for (const char* other : {"position", "target", "view", "margin", "world_to_camera"})
         if (key != std::string_view(other) && camera.has(other))
-            camera.fail(other, "a camera with a matrix has no other place");
+            camera.fail(other, "a camera with a matrix cannot have another position");
     Eigen::Matrix4d to_world = usd ? usd->transpose() : exr->transpose();
     if (exr) {
         to_world = to_world.inverse().eval();
@@ -26,7 +26,8 @@ std::optional<Eigen::Matrix4d> read_matrix(const TomlTable& camera, float field_
     }
     try {
         const Camera made = camera_of_matrix(to_world, field_of_view, 1);
-        if (!is_place(made.position)) throw std::invalid_argument("a camera is too far");
+        if (!is_place(made.position))
+            throw std::invalid_argument("the camera is too far away");
     } catch (const std::invalid_argument& error) {
         camera.fail(key, error.what());
     }
@@ -42,10 +43,10 @@ CameraSettings read_camera(const TomlTable& camera) {
     out.target = place_value(camera, "target");
     out.view = direction_value(camera, "view");
     if (out.position && out.view) {
-        camera.fail("view", "a camera has a 'position' or a 'view', not both");
+        camera.fail("view", "a camera can have a 'position' or a 'view', not both");
     }
     if (out.target && !out.position) {
-        camera.fail("target", "a 'target' needs a camera's 'position'");
+        camera.fail("target", "'target' needs a 'position'");
     }
     if (out.position && out.target == out.position) {
         camera.fail("target", "'target' must not be the camera's 'position'");
@@ -77,7 +78,7 @@ Camera camera_of(const CameraSettings& settings, const Eigen::AlignedBox3f& box,
         framing.field_of_view = settings.field_of_view;
         framing.aspect = aspect;
         framing.margin = settings.margin;
-        // By default from the front of a head that looks along +Z (Y up) or -Y (Z up).
+        // Default: the front of a head that looks along +Z (Y up) or -Y (Z up).
         const Vec3f front = up.z() > 0.5f ? Vec3f(0, -1, 0) : Vec3f(0, 0, 1);
         const Vec3f side = up.cross(front);
         framing.view = settings.view.value_or(Vec3f(-front - 0.45f * side - 0.12f * up));

@@ -8,8 +8,8 @@
 
 namespace lancret {
 
-/// Reads what shines; nothing where the groom names no light. `up` is the scene's. Throws
-/// InputError, also for an environment that cannot be read.
+/// Reads the lights; nullopt if the groom sets none. `up` is that of the scene. Throws
+/// InputError, also if an environment cannot be read.
 std::optional<Lights> read_lights(const TomlTable& light, const Vec3f& up);
 
 }  // namespace lancret

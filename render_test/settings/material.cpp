@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "render_test/image/image.h"
+#include "render_test/image/read_image.h"
 #include "render_test/settings/toml_values.h"
 
 namespace lancret {
@@ -22,7 +22,7 @@ void read_material(const TomlTable& material, HairMaterial& hair, MeshMaterial& 
     const auto colour = colour_value(material, "colour", 1);
     if (preset && (colour || material.has("eumelanin"))) {
         material.fail("preset",
-                      "a 'preset' says the melanin: leave out 'eumelanin' and 'colour'");
+                      "a 'preset' sets the melanin: remove 'eumelanin' and 'colour'");
     }
     if (colour) hair.colour = colour;
     set(hair.eumelanin, material.number("eumelanin", 0, 100));
@@ -47,7 +47,7 @@ void read_material(const TomlTable& material, HairMaterial& hair, MeshMaterial& 
     set(mesh.colour, colour_value(material, "scalp_colour", 1));
     set(mesh.coat_roughness, material.number("scalp_roughness", 0.05, 1));
     if (const auto file = material.path("scalp_texture")) {
-        mesh.texture = read_colour_map(*file);
+        mesh.texture = read_texture(*file);
     }
 }
 

@@ -7,8 +7,8 @@
 
 namespace lancret {
 
-/// Reads the material of strands and of what they grow on; docs/rendering.md has the
-/// keys. `groom_shading` is whether strands are shown the cheap way. Throws InputError.
+/// Reads the materials of strands and of the mesh; docs/rendering.md lists the keys.
+/// `groom_shading` selects the fast shading of groom_shading.h. Throws InputError.
 void read_material(const TomlTable& material, HairMaterial& hair, MeshMaterial& mesh,
                    bool& groom_shading);
 

@@ -31,9 +31,10 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
     set(out.least_width, render.number("min_width_pixels", 0, 10));
     out.shutter = render.pair("shutter");
     if (out.shutter && !is_shutter(*out.shutter)) {
-        render.fail("shutter",
-                    "'shutter' is [opens, closes] in frames after the frame, such as [0, "
-                    "0.5], within 1000 and not closed before it opens");
+        render.fail(
+            "shutter",
+            "'shutter' must be [opens, closes] in frames after the frame, such as "
+            "[0, 0.5], within 1000 and not closed before it opens");
     }
     set(out.motion_samples,
         render.integer("motion_samples", 2, std::int64_t(kMaxSceneTimes)));
@@ -53,7 +54,7 @@ std::optional<HairLook> later_hair(const PreviewSettings& settings) {
 }
 
 bool is_shutter(const Vec2& shutter) {
-    // Written so that a NaN is none.
+    // Written so that NaN is refused.
     return shutter.cwiseAbs().maxCoeff() <= 1000 && shutter.x() <= shutter.y();
 }
 

@@ -17,11 +17,11 @@ std::optional<Vec3f> single(const std::optional<Vec3>& v) {
 }  // namespace
 
 std::optional<Vec3f> colour_value(const TomlTable& table, std::string_view key,
-                                  double most) {
+                                  double limit) {
     const auto v = table.vector(key);
-    if (v && !(v->minCoeff() >= 0 && v->maxCoeff() <= most)) {
-        table.fail(
-            key, fmt::format("'{}' is a colour: three numbers from 0 to {}", key, most));
+    if (v && !(v->minCoeff() >= 0 && v->maxCoeff() <= limit)) {
+        table.fail(key, fmt::format("'{}' must be a colour: three numbers from 0 to {}",
+                                    key, limit));
     }
     return single(v);
 }
@@ -30,7 +30,7 @@ std::optional<Vec3f> direction_value(const TomlTable& table, std::string_view ke
     const auto v = table.vector(key);
     if (!v) return std::nullopt;
     if (v->stableNorm() < 1e-12) {
-        table.fail(key, fmt::format("'{}' is a direction and must not be zero", key));
+        table.fail(key, fmt::format("'{}' must be a direction other than zero", key));
     }
     return Vec3f(v->stableNormalized().cast<float>());
 }
@@ -38,7 +38,7 @@ std::optional<Vec3f> direction_value(const TomlTable& table, std::string_view ke
 std::optional<Vec3f> place_value(const TomlTable& table, std::string_view key) {
     const auto v = single(table.vector(key));
     if (v && !is_place(*v)) {
-        table.fail(key, fmt::format("'{}' is a place and must lie within {:.0e} cm", key,
+        table.fail(key, fmt::format("'{}' must be a position within {:.0e} cm", key,
                                     kLargestCoordinate));
     }
     return v;

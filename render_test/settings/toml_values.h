@@ -1,5 +1,5 @@
 #pragma once
-// Colours, directions and places of a groom's TOML, for the readers of its tables.
+// Colours, directions, places and angles in a groom's TOML tables. All throw InputError.
 
 #include <optional>
 
@@ -7,21 +7,20 @@
 
 namespace lancret {
 
-/// Takes over what is there.
+/// Assigns a value if there is one.
 template <class T, class U>
 void set(T& to, const std::optional<U>& value) {
     if (value) to = T(*value);
 }
 
-/// A colour: three numbers, none negative, none above `most`. Throws InputError, as all
-/// here.
+/// A colour: three numbers from 0 to `limit`.
 std::optional<Vec3f> colour_value(const TomlTable& table, std::string_view key,
-                                  double most);
+                                  double limit);
 
-/// A direction: three numbers, not all zero; of length one.
+/// A direction: three numbers, not all zero; normalised.
 std::optional<Vec3f> direction_value(const TomlTable& table, std::string_view key);
 
-/// A place, cm.
+/// A position, cm.
 std::optional<Vec3f> place_value(const TomlTable& table, std::string_view key);
 
 /// An angle in degrees within [low, high], as radian.

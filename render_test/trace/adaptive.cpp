@@ -1,6 +1,6 @@
 #include "render_test/trace/adaptive.h"
 
-#include <tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 namespace lancret {
 namespace {
 
-constexpr int kReach = 3;  ///< of the square around a pixel
+constexpr int kReach = 3;  ///< of the window around a pixel, pixels
 
-/// Of one pixel, or summed over some.
+/// Statistics of one pixel, or their sums over several.
 struct Spread {
     double luminance = 0;  ///< mean
     double variance = 0;   ///< among samples
@@ -29,20 +29,21 @@ struct Spread {
 Spread spread_of(const Film& film, std::size_t pixel) {
     const auto n = float(film.samples[pixel]);
     const Eigen::Vector4f& sum = film.sums.rgba[pixel];
-    // Red, green and blue of a sample go together, so that of their weighted sum the
-    // standard deviation is the weighted sum of theirs.
+    // Red, green and blue of a sample are correlated, so the standard deviation of their
+    // weighted sum is taken as the weighted sum of theirs.
     const Vec3f deviation = (film.squares[pixel].head<3>() / (n - 1)).cwiseSqrt();
-    const float one = luminance(deviation);
-    return {luminance(sum.head<3>()) / n, one * one, sum.w() / n, 1};
+    const float total = luminance(deviation);
+    return {luminance(sum.head<3>()) / n, total * total, sum.w() / n, 1};
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> samples_needed(const Film& film, float noise,
-                                          std::uint32_t most) {
+                                          std::uint32_t limit) {
     const int width = film.sums.width, height = film.sums.height;
     const auto pixel_at = [&](int x, int y) { return std::size_t(y) * width + x; };
-    std::vector<Spread> rows(film.samples.size());  // sums over a row's kReach each way
+    std::vector<Spread> rows(
+        film.samples.size());  // sums over kReach pixels to either side
     tbb::parallel_for(0, height, [&](int y) {
         for (int x = 0; x < width; ++x)
             for (int i = std::max(x - kReach, 0); i <= std::min(x + kReach, width - 1);
@@ -61,11 +62,11 @@ std::vector<std::uint32_t> samples_needed(const Film& film, float noise,
                  ++i)
                 about += rows[pixel_at(x, i)];
             if (!(about.variance > 0)) continue;
-            // Of what is nearly black, an error of a hundredth of the mean is not seen.
+            // In almost black areas an error of a hundredth of the mean is invisible.
             const double here = std::max(about.luminance / about.pixels, 0.01 * mean);
-            const double may = double(noise) * noise * mean * here;
-            needed[pixel_at(x, y)] = std::uint32_t(
-                std::min(std::ceil(about.variance / about.pixels / may), double(most)));
+            const double allowed = double(noise) * noise * mean * here;
+            needed[pixel_at(x, y)] = std::uint32_t(std::min(
+                std::ceil(about.variance / about.pixels / allowed), double(limit)));
         }
     });
     return needed;

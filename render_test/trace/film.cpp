@@ -9,7 +9,7 @@ namespace {
 
 std::uint32_t id_of(const PathResult& path) {
     if (!path.first) return kNothingId;
-    return path.first->kind == Hit::Kind::strand ? path.first->id : kMeshId;
+    return path.first->kind == Hit::Kind::strand ? path.first->strand.id : kMeshId;
 }
 
 void add_hit(Film& film, std::size_t pixel, const Sighting& sighting) {
@@ -48,7 +48,7 @@ void add_sample(Film& film, std::size_t pixel, const Sighting& sighting) {
     Eigen::Vector4f& sum = film.sums.rgba[pixel];
     sum += sample;
     if (!film.squares.empty() && before > 0) {
-        // [Youngs and Cramer 1971]: no difference of large numbers, never below zero.
+        // [Youngs and Cramer 1971]: no difference of large numbers, never negative.
         const auto n = float(before + 1);
         film.squares[pixel] += (n * sample - sum).cwiseAbs2() / (n * float(before));
     }

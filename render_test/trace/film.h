@@ -1,64 +1,62 @@
 #pragma once
-// A picture on its way: what the samples of each pixel come to so far.
+// A picture in progress: sums over the samples of each pixel so far.
 
 #include <cstdint>
 #include <vector>
 
 #include "render_test/image/image.h"
-#include "render_test/trace/path_tracer.h"
+#include "render_test/trace/integrator.h"
 
 namespace lancret {
 
-/// The layers of a picture that are kept only where asked for.
+/// The optional layers of a picture.
 struct Channels {
-    bool variance = false;  ///< of each pixel's mean
+    bool variance = false;  ///< of the mean of each pixel
     bool motion = false;
     bool mattes = false;  ///< objects and body
     bool deep = false;
-    bool value = false;  ///< of a check view
+    bool value = false;  ///< figure of a check view
 };
 
-/// Sums over the samples so far in place of means; the layers' sums of `sums` are there
-/// where they are asked for. Each pixel is its own: any number of
-/// threads may add samples to different ones.
+/// Sums over the samples so far, with the requested layers. Pixels are independent: any
+/// number of threads may add samples to different pixels.
 struct Film {
-    Image sums;                       ///< rgba's last is the coverage; depth is the least
-    std::vector<std::uint32_t> hits;  ///< [pixels] samples that met something
-    std::vector<std::uint32_t> samples;  ///< [pixels] all of them
-    /// [pixels], or empty where not asked for: squared differences of the samples' rgba
-    /// from their mean so far, summed.
+    Image sums;  ///< rgba's alpha is the coverage; depth is the minimum
+    std::vector<std::uint32_t> hits;     ///< [pixels] samples that hit something
+    std::vector<std::uint32_t> samples;  ///< [pixels] all samples
+    /// [pixels], or empty if not requested: sums of the squared differences of the
+    /// samples' rgba from their mean so far.
     std::vector<Eigen::Vector4f> squares;
-    float deep_gap = 0;                 ///< of merge(), a share of the depth
-    std::uint64_t rays = 0, paths = 0;  ///< traced for all of it
+    float deep_gap = 0;                 ///< of merge(), relative to the depth
+    std::uint64_t rays = 0, paths = 0;  ///< traced so far
 
     Film(int width, int height, const Channels& channels);
 };
 
-/// What a path has found, as the film takes it.
+/// The result of a path, as input of the film.
 struct Sighting {
     const PathResult& path;
-    float depth = 0;  ///< of the first hit, along the direction of sight, cm
-    Vec3f direction = Vec3f::UnitZ();  ///< the ray's
+    float depth = 0;  ///< of the first hit, along the viewing direction, cm
+    Vec3f direction = Vec3f::UnitZ();  ///< of the ray
     Vec2f motion = Vec2f::Zero();      ///< of the first hit, pixels
 };
 
-/// Adds to a pixel. All but deep samples, which would have
-/// to be allocated for each: they are gathered for a pixel and then added.
+/// Adds a sample to a pixel, except for deep samples. To save allocations, those are
+/// gathered for a whole pixel and then added.
 void add_sample(Film& film, std::size_t pixel, const Sighting& sighting);
 
-/// Appends what one sample adds to its pixel's deep samples, nothing where it met none.
+/// Appends the deep sample of a path, if it hit something.
 void gather_deep(const Sighting& sighting, std::vector<DeepSample>& gathered);
-/// Merges `gathered` into those of a pixel and empties it.
+/// Merges `gathered` into the deep samples of a pixel and clears it.
 void add_deep(Film& film, std::size_t pixel, std::vector<DeepSample>& gathered);
 
-/// The variance of a pixel's mean: that among its samples over their number; zero of one
-/// sample, which tells nothing. Samples of a pixel are spread more evenly than by chance,
-/// so the truth is at most this, and is less where the pixel is smooth. The film has
-/// `squares`.
+/// The variance of a pixel's mean: that of its samples over their number; zero for a
+/// single sample. Samples of a pixel are stratified, so this is an upper bound, and the
+/// true variance is smaller in smooth pixels. The film must have `squares`.
 Eigen::Vector4f variance_of_mean(const Film& film, std::size_t pixel);
 
-/// The means of a pixel in place of its sums, `image` a copy of the film's. Throws
-/// std::runtime_error where its colour is not a finite number.
+/// Replaces the sums of a pixel by means in `image`, a copy of the film's sums. Throws
+/// std::runtime_error if its colour is not a finite number.
 void finish_pixel(const Film& film, std::size_t pixel, Image& image);
 
 }  // namespace lancret

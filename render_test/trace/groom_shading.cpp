@@ -18,30 +18,30 @@ Vec3f groom_radiance(const RenderScene& scene, const Ray& ray, const Hit& hit,
                      Sampler& sampler, RayCounter& counter) {
     const Vec2f light_random = sampler.next(), picks = sampler.next();
     Mat3f frame;
-    if (hit.kind == Hit::Kind::strand && !hit.ribbon)
-        frame << hit.tangent, hit.facing.cross(hit.tangent), hit.facing;
+    if (hit.kind == Hit::Kind::strand && !hit.strand.ribbon)
+        frame << hit.tangent, hit.strand.facing.cross(hit.tangent), hit.strand.facing;
     else
         frame = frame_about(hit.shading_normal);
     std::optional<Blade> blade;
-    if (hit.ribbon)
-        blade.emplace(scene.blade, scene.hair.colour(hit.id, hit.along),
+    if (hit.strand.ribbon)
+        blade.emplace(scene.blade, scene.hair.colour(hit.strand.id, hit.strand.along),
                       frame.transpose() * -ray.direction);
     const auto value = [&](const Vec3f& wi) -> Vec3f {
         if (hit.kind == Hit::Kind::mesh)
             return Lambert(scene.mesh, hit).evaluate(wi).value;
         if (blade) return blade->evaluate(wi).value;
-        return groom_value(scene.hair.colour(hit.id, hit.along), wi);
+        return groom_value(scene.hair.colour(hit.strand.id, hit.strand.along), wi);
     };
     const ChosenLight chosen = choose_light(
         scene.lights, hit.position, picks.x(), light_random, [&](const LightSample& l) {
             return Vec3f(value(frame.transpose() * l.direction).cwiseProduct(l.radiance) /
                          l.pdf);
         });
-    if (!(chosen.brings.maxCoeff() > 0)) return Vec3f::Zero();
+    if (!(chosen.contribution.maxCoeff() > 0)) return Vec3f::Zero();
     Ray shadow = ray_from(hit, frame.col(2), chosen.light.direction, ray.time);
     shadow.far = chosen.light.distance * (1 - 1e-5f);
-    return counter.occluded(shadow) ? Vec3f(kGroomShadowLight * chosen.brings)
-                                    : chosen.brings;
+    return counter.occluded(shadow) ? Vec3f(kGroomShadowLight * chosen.contribution)
+                                    : chosen.contribution;
 }
 
 }  // namespace lancret

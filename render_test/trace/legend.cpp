@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render_test/image/colour_scale.h"
-
 namespace lancret {
 
 namespace {
 
 const Vec3f kInk = Vec3f::Constant(0.8f);
 
-/// About how wide a text is, pixels.
+/// Approximate width of a text, pixels.
 int width_of(const std::string& text, int letters) {
     return int(std::ceil(0.55f * float(letters) * float(text.size())));
 }
@@ -32,7 +30,7 @@ void fill(Image& image, int x, int y, int width, int height, const Vec3f& colour
     }
 }
 
-/// Values of the scale that get a label.
+/// The labelled values of a scale.
 std::vector<float> ticks(const ColourScale& scale) {
     if (scale.kind != ColourScale::Kind::logarithmic) {
         return {scale.low, (scale.low + scale.high) / 2, scale.high};
@@ -45,57 +43,57 @@ std::vector<float> ticks(const ColourScale& scale) {
     return out.size() < 2 ? std::vector{scale.low, scale.high} : out;
 }
 
-void draw_scale(Image& image, const LegendLayout& at, const CheckView& view) {
+void draw_scale(Image& image, const LegendLayout& layout, const CheckView& view) {
     const ColourScale& scale = view.scale;
-    for (int i = 0; i < at.bar_width; ++i) {
-        const float place = (float(i) + 0.5f) / float(at.bar_width);
-        fill(image, at.bar_x + i, at.bar_y, 1, at.bar_height,
+    for (int i = 0; i < layout.bar_width; ++i) {
+        const float place = (float(i) + 0.5f) / float(layout.bar_width);
+        fill(image, layout.bar_x + i, layout.bar_y, 1, layout.bar_height,
              scale_colour_at(scale, place));
     }
     const bool more =
         std::ranges::any_of(view.values.values, [&](float v) { return v > scale.high; });
-    int free = 0;  // from here on there is room
+    int free = 0;  // x from which there is room
     for (const float value : ticks(scale)) {
         const bool end = value == scale.high && more && scale.over.empty();
         std::string text = fmt::format("{:.3g}{}", value + 0.0f, end ? "+" : "");
-        // 1e-9, not 1e-09.
+        // Writes 1e-09 as 1e-9.
         for (const char* sign : {"e-0", "e+0"}) {
             const std::size_t zero = text.find(sign);
             if (zero != std::string::npos) text.erase(zero + 2, 1);
         }
-        const int wide = width_of(text, at.letters);
+        const int wide = width_of(text, layout.letters);
         const int middle =
-            at.bar_x + int(scale_place(scale, value) * float(at.bar_width));
-        const int x = std::max(middle - wide / 2, at.bar_x);
+            layout.bar_x + int(scale_place(scale, value) * float(layout.bar_width));
+        const int x = std::max(middle - wide / 2, layout.bar_x);
         if (x < free) continue;
-        write(image, at, x, at.labels, text);
-        free = x + wide + at.letters / 2;
+        write(image, layout, x, layout.labels, text);
+        free = x + wide + layout.letters / 2;
     }
-    int x = at.bar_x + at.bar_width + 2 * at.letters;
+    int x = layout.bar_x + layout.bar_width + 2 * layout.letters;
     const auto extra = [&](const Vec3f& colour, const std::string& name) {
-        fill(image, x, at.bar_y, at.bar_height, at.bar_height, colour);
-        x += at.bar_height + at.letters / 2;
-        write(image, at, x, at.bar_y + at.bar_height, name);
-        x += width_of(name, at.letters) + at.letters;
+        fill(image, x, layout.bar_y, layout.bar_height, layout.bar_height, colour);
+        x += layout.bar_height + layout.letters / 2;
+        write(image, layout, x, layout.bar_y + layout.bar_height, name);
+        x += width_of(name, layout.letters) + layout.letters;
     };
     if (!scale.over.empty()) extra(kFailColour, scale.over);
     if (scale.clean) extra(kCleanColour, fmt::format("up to {:.3g}", *scale.clean));
 }
 
-void draw_swatches(Image& image, const LegendLayout& at,
+void draw_swatches(Image& image, const LegendLayout& layout,
                    const std::vector<Swatch>& swatches) {
-    int x = at.bar_x, y = at.bar_y;
+    int x = layout.bar_x, y = layout.bar_y;
     for (const Swatch& swatch : swatches) {
-        const int wide =
-            at.bar_height + at.letters / 2 + width_of(swatch.name, at.letters);
-        if (x > at.bar_x && x + wide > image.width - at.letters) {
-            x = at.bar_x;
-            y += at.letters + at.letters / 3;
+        const int wide = layout.bar_height + layout.letters / 2 +
+                         width_of(swatch.name, layout.letters);
+        if (x > layout.bar_x && x + wide > image.width - layout.letters) {
+            x = layout.bar_x;
+            y += layout.letters + layout.letters / 3;
         }
-        fill(image, x, y, at.bar_height, at.bar_height, swatch.colour);
-        write(image, at, x + at.bar_height + at.letters / 2, y + at.bar_height,
-              swatch.name);
-        x += wide + at.letters;
+        fill(image, x, y, layout.bar_height, layout.bar_height, swatch.colour);
+        write(image, layout, x + layout.bar_height + layout.letters / 2,
+              y + layout.bar_height, swatch.name);
+        x += wide + layout.letters;
     }
 }
 
@@ -116,21 +114,21 @@ LegendLayout legend_layout(int width, int height) {
 }
 
 void draw_legend(Image& image, const CheckView& view) {
-    const LegendLayout at = legend_layout(image.width, image.height);
-    constexpr float kShown = 0.15f;  // of what is behind the band
+    const LegendLayout layout = legend_layout(image.width, image.height);
+    constexpr float kShown = 0.15f;  // opacity of the picture under the band
     const Eigen::Vector4f band =
         (1 - kShown) * Eigen::Vector4f(0.012f, 0.012f, 0.012f, 1);
-    for (int y = at.top; y < image.height; ++y) {
+    for (int y = layout.top; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             auto& pixel = image.rgba[std::size_t(y) * image.width + x];
             pixel = kShown * pixel + band;
         }
     }
-    write(image, at, at.bar_x, at.title, view.title);
+    write(image, layout, layout.bar_x, layout.title, view.title);
     if (view.colours.empty()) {
-        draw_scale(image, at, view);
+        draw_scale(image, layout, view);
     } else {
-        draw_swatches(image, at, view.swatches);
+        draw_swatches(image, layout, view.swatches);
     }
 }
 

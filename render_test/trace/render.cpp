@@ -1,6 +1,6 @@
 #include "render_test/trace/render.h"
 
-#include <tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,47 +11,60 @@
 
 #include "render_test/scene/motion.h"
 #include "render_test/trace/adaptive.h"
+#include "render_test/trace/sample_pairs.h"
 
 namespace lancret {
 namespace {
 
 constexpr int kTile = 16;
 
-/// The pair of random dimensions for the lens, far from those of paths.
-constexpr std::uint32_t kLensPair = 0x30000;
-
-/// Of the first pass towards a noise: enough, with its neighbours', to tell a pixel's.
+/// Samples of the first pass towards a noise: with those of the neighbours, enough to
+/// estimate a pixel's variance.
 constexpr int kFirstPass = 4;
 
-/// Brings one pixel to `end` samples. Gives the rays traced. `deep` is room for deep
-/// samples, empty before and after.
-std::uint64_t sample_pixel(const RenderScene& scene, const Camera& camera,
-                           const RenderSettings& settings, int x, int y, int end,
-                           Film& film, std::vector<DeepSample>& deep) {
-    const std::size_t pixel = std::size_t(y) * settings.width + x;
+/// A picture to render.
+struct RenderJob {
+    const RenderScene& scene;
+    const Camera& camera;
+    const RenderSettings& settings;
+};
+
+/// A pixel, and the number of samples to bring it to.
+struct PixelTarget {
+    int x, y;
+    int end;
+};
+
+/// Brings one pixel to its target. Returns the number of rays traced. `deep` is scratch
+/// space, empty before and after.
+std::uint64_t sample_pixel(const RenderJob& job, const PixelTarget& target, Film& film,
+                           std::vector<DeepSample>& deep) {
+    const RenderSettings& settings = job.settings;
+    const Camera& camera = job.camera;
+    const std::size_t pixel = std::size_t(target.y) * settings.width + target.x;
     const Vec2f size(float(settings.width), float(settings.height));
     PathSettings path_settings = settings.path;
     path_settings.pixel_angle = 2 * camera.tangent / size.y();
     std::uint64_t rays = 0;
-    for (int s = int(film.samples[pixel]); s < end; ++s) {
+    for (int s = int(film.samples[pixel]); s < target.end; ++s) {
         Sampler sampler(settings.seed, std::uint32_t(pixel), std::uint32_t(s));
-        const Vec2f place =
-            (Vec2f(float(x), float(y)) + sampler.next()).cwiseQuotient(size);
+        const Vec2f place = (Vec2f(float(target.x), float(target.y)) + sampler.next())
+                                .cwiseQuotient(size);
         Ray ray = camera.ray(place);
         if (camera.lens_radius > 0) {
             Sampler lens(settings.seed, std::uint32_t(pixel), std::uint32_t(s));
             lens.skip_to(kLensPair);
             ray = camera.ray(place, lens.next());
         }
-        // One time a path; a pixel's times are spread evenly over the shutter.
-        if (scene.geometry->moves()) ray.time = sampler.next().x();
-        const PathResult path = trace_path(scene, path_settings, ray, sampler);
+        // One time per path; those of a pixel are spread evenly over the shutter.
+        if (job.scene.geometry->moves()) ray.time = sampler.next().x();
+        const PathResult path = trace_path(job.scene, path_settings, ray, sampler);
         Sighting sighting{.path = path, .direction = ray.direction};
         if (path.first) {
             sighting.depth = path.first->distance * ray.direction.dot(camera.view());
             if (settings.channels.motion)
                 sighting.motion =
-                    screen_motion(scene.times, camera, settings.height, *path.first);
+                    screen_motion(job.scene.times, camera, settings.height, *path.first);
         }
         add_sample(film, pixel, sighting);
         if (settings.channels.deep) gather_deep(sighting, deep);
@@ -61,17 +74,24 @@ std::uint64_t sample_pixel(const RenderScene& scene, const Camera& camera,
     return rays;
 }
 
-/// Brings every pixel to `end` samples, or to what it needs where `needed` has [pixels]
-/// and that is less. `progress` hears of the share of all work, which goes from the first
-/// to the second of `share`.
-void add_samples(const RenderScene& scene, const Camera& camera,
-                 const RenderSettings& settings, int end,
-                 const std::vector<std::uint32_t>& needed, Vec2 share, Film& film,
+/// One pass over all pixels.
+struct Pass {
+    int end;  ///< samples to bring every pixel to, unless it needs fewer
+    const std::vector<std::uint32_t>& needed;  ///< [pixels], or empty: `end`
+    Vec2 progress;                             ///< share of all work before and after
+};
+
+void add_samples(const RenderJob& job, const Pass& pass, Film& film,
                  const ProgressFunction& progress) {
+    const RenderSettings& settings = job.settings;
     const int across = (settings.width + kTile - 1) / kTile;
     const int down = (settings.height + kTile - 1) / kTile;
     std::mutex mutex;
     int done = 0;
+    const auto end_of = [&](std::size_t pixel) {
+        return pass.needed.empty() ? pass.end
+                                   : std::min(pass.end, int(pass.needed[pixel]));
+    };
     tbb::parallel_for(0, across * down, [&](int tile) {
         const int x0 = tile % across * kTile, y0 = tile / across * kTile;
         std::uint64_t rays = 0, paths = 0;
@@ -80,21 +100,21 @@ void add_samples(const RenderScene& scene, const Camera& camera,
             for (int x = x0; x < std::min(x0 + kTile, settings.width); ++x) {
                 const std::size_t pixel = std::size_t(y) * settings.width + x;
                 const std::uint32_t before = film.samples[pixel];
-                const int own = needed.empty() ? end : std::min(end, int(needed[pixel]));
-                if (own <= int(before)) continue;
-                paths += std::uint64_t(own) - before;
-                rays += sample_pixel(scene, camera, settings, x, y, own, film, deep);
+                const int end = end_of(pixel);
+                if (end <= int(before)) continue;
+                paths += std::uint64_t(end) - before;
+                rays += sample_pixel(job, {x, y, end}, film, deep);
             }
         const std::lock_guard lock(mutex);
         film.rays += rays;
         film.paths += paths;
         const double part = double(++done) / (across * down);
-        if (progress)
-            progress({share.x() + part * (share.y() - share.x()), film.rays, film.paths});
+        const double from = pass.progress.x(), to = pass.progress.y();
+        if (progress) progress({from + part * (to - from), film.rays, film.paths});
     });
 }
 
-/// The means of all pixels, in place of the sums.
+/// Replaces the sums of all pixels by means.
 void finish(const RenderSettings& settings, const Film& film, Image& image) {
     if (settings.channels.variance) image.variance.resize(image.rgba.size());
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
@@ -108,50 +128,49 @@ Film empty_film(const RenderScene& scene, const Camera& camera,
     if (!scene.geometry) throw std::invalid_argument("a render needs geometry");
     if (settings.width < 1 || settings.height < 1 || settings.width > 32768 ||
         settings.height > 32768)
-        throw std::invalid_argument(
-            "a picture's sides must be within 1 and 32768 pixels");
+        throw std::invalid_argument("the sides of a picture must be 1 to 32768 pixels");
     if (!(settings.noise >= 0) || !std::isfinite(settings.noise))
         throw std::invalid_argument("noise must be 0 or more");
     if (settings.samples < 1) throw std::invalid_argument("samples must be at least 1");
     if (settings.path.max_depth < 1)
         throw std::invalid_argument("max_depth must be at least 1");
     if (settings.channels.deep && settings.path.show_environment)
-        throw std::invalid_argument("deep pictures have no environment behind them");
+        throw std::invalid_argument("deep images cannot show the environment");
     Channels channels = settings.channels;
     channels.variance |= settings.noise > 0;
     channels.value |= scene.view != nullptr;
     Film film(settings.width, settings.height, channels);
-    // Neighbouring hits of a strand that runs into the picture at up to 60 degrees are
-    // two pixels apart in depth.
+    // Neighbouring hits on a strand inclined by up to 60 degrees differ in depth by up to
+    // two pixels.
     film.deep_gap = 4 * camera.tangent / float(settings.height);
     return film;
 }
 
-/// The share of the work that is done when those who need more have `end` samples.
+/// Share of all work that is done when pixels that need more have `end` samples.
 double share_at(const Film& film, const std::vector<std::uint32_t>& needed, int end) {
     double done = 0, all = 0;
     for (std::size_t i = 0; i < needed.size(); ++i) {
-        const std::uint32_t own = std::max(needed[i], film.samples[i]);
-        done += std::min(double(own), std::max(double(end), double(film.samples[i])));
-        all += own;
+        const std::uint32_t total = std::max(needed[i], film.samples[i]);
+        done += std::min(double(total), std::max(double(end), double(film.samples[i])));
+        all += total;
     }
     return done / all;
 }
 
-/// Renders in passes: one of `first` samples a pixel, and others that bring those who
-/// need more to twice as many at most. After each, `show` gets the samples that a pixel
-/// has at most by then.
+/// Renders in passes: one of `first` samples per pixel, then others that at most double
+/// the samples of pixels that need more. After each pass, calls `show` with the maximum
+/// number of samples per pixel so far.
 template <class Show>
-void render_in_passes(const RenderScene& scene, const Camera& camera,
-                      const RenderSettings& settings, int first, Film& film,
+void render_in_passes(const RenderJob& job, int first, Film& film,
                       const ProgressFunction& progress, const Show& show) {
+    const RenderSettings& settings = job.settings;
     std::vector<std::uint32_t> needed;
     double from = 0;
     for (int end = first;; end *= 2) {
         end = std::min(end, settings.samples);
         const double to = needed.empty() ? double(end) / settings.samples
                                          : std::max(from, share_at(film, needed, end));
-        add_samples(scene, camera, settings, end, needed, {from, to}, film, progress);
+        add_samples(job, {end, needed, {from, to}}, film, progress);
         from = to;
         if (settings.noise > 0 && end >= kFirstPass)
             needed =
@@ -169,7 +188,7 @@ void render_in_passes(const RenderScene& scene, const Camera& camera,
 Image render(const RenderScene& scene, const Camera& camera,
              const RenderSettings& settings, const ProgressFunction& progress) {
     Film film = empty_film(scene, camera, settings);
-    render_in_passes(scene, camera, settings,
+    render_in_passes({scene, camera, settings},
                      settings.noise > 0 ? kFirstPass : settings.samples, film, progress,
                      [](int) {});
     finish(settings, film, film.sums);
@@ -182,7 +201,7 @@ void render_progressively(const RenderScene& scene, const Camera& camera,
                           const ProgressFunction& progress) {
     Film film = empty_film(scene, camera, settings);
     Image image(settings.width, settings.height);
-    render_in_passes(scene, camera, settings, 1, film, progress, [&](int samples) {
+    render_in_passes({scene, camera, settings}, 1, film, progress, [&](int samples) {
         image = film.sums;
         finish(settings, film, image);
         show(image, samples);

@@ -39,12 +39,12 @@ TEST(Views, ErrorsAreThoseOfCheck) {
         const auto check = json_of(report);
         const auto length =
             view_stats(folder, {folder.made, "--blend", blend, "--view", "length-error"});
-        EXPECT_EQ(length["most"], check["length"]["max_relative_error"]) << blend;
+        EXPECT_EQ(length["largest"], check["length"]["max_relative_error"]) << blend;
         EXPECT_EQ(length["above"] == 0, std::string(blend) == "detail");
         EXPECT_EQ(length["high"], float(1e-5));
         const auto frames = view_stats(
             folder, {folder.made, "--blend", blend, "--view", "orthogonality"});
-        EXPECT_EQ(frames["most"], check["orthogonality"]["max"]) << blend;
+        EXPECT_EQ(frames["largest"], check["orthogonality"]["max"]) << blend;
         EXPECT_EQ(frames["above"], 0);
     }
 }
@@ -120,7 +120,7 @@ TEST(Views, PenetrationShowsJustTheStrandsThatRunThroughABody) {
     ASSERT_GT(within, 50u);
     ASSERT_LT(within, 150u);
     EXPECT_EQ(view["above"], within);
-    EXPECT_NEAR(view["most"], deepest, 2.5 / 64);
+    EXPECT_NEAR(view["largest"], deepest, 2.5 / 64);
     const Layers picture = read_layers(folder.at("view.exr"));
     std::size_t clean = 0, pierced = 0;
     for (std::size_t i = 0; i < picture.id.size(); ++i) {
@@ -143,8 +143,8 @@ TEST(Views, TheRangeIsAsAskedFor) {
     EXPECT_EQ(view["high"], 2);
     const auto own = view_stats(folder, {folder.made, "--view", "curvature"});
     EXPECT_EQ(own["low"], 0);
-    EXPECT_LE(own["high"], own["most"]);
-    EXPECT_EQ(own["most"], view["most"]);
+    EXPECT_LE(own["high"], own["largest"]);
+    EXPECT_EQ(own["largest"], view["largest"]);
 }
 
 TEST(Views, ThatThereAreNotAreRefused) {

@@ -20,7 +20,7 @@ namespace {
 
 using Kind = ColourScale::Kind;
 
-/// Below this a strand lies on the surface: as near as its root must be, cm.
+/// Depth up to which a strand lies on the surface, cm: the tolerance of its root.
 const float kOnSurface = float(CheckTolerances{}.root);
 
 bool has_scale(View view) { return view != View::influence && view != View::region; }
@@ -29,8 +29,8 @@ bool is_error(View view) {
     return view == View::length_error || view == View::orthogonality;
 }
 
-/// The size that one in a hundred exceeds, of those above `least`; 0 where there is none.
-float most_of(const std::vector<float>& values, float least) {
+/// The 99th percentile of the absolute values above `least`; 0 if there is none.
+float typical_maximum(const std::vector<float>& values, float least) {
     std::vector<float> sizes;
     sizes.reserve(values.size());
     for (const float value : values) {
@@ -40,25 +40,25 @@ float most_of(const std::vector<float>& values, float least) {
         }
     }
     if (sizes.empty()) return 0;
-    const auto at = sizes.begin() + std::ptrdiff_t(0.99 * double(sizes.size() - 1));
-    std::ranges::nth_element(sizes, at);
-    return *at;
+    const auto rank = sizes.begin() + std::ptrdiff_t(0.99 * double(sizes.size() - 1));
+    std::ranges::nth_element(sizes, rank);
+    return *rank;
 }
 
-/// Up to a limit of the check in four decades; above it red.
+/// Four decades up to a limit of the check; red above it.
 ColourScale error_scale(double limit) {
     return {Kind::logarithmic, float(1e-4 * limit), float(limit), "fails", std::nullopt};
 }
 
-/// From 0, or from as much below it, to the size that one in a hundred exceeds.
+/// From 0, or symmetric about 0, to the typical maximum.
 ColourScale size_scale(Kind kind, const std::vector<float>& values, float least) {
-    const float most = most_of(values, least);
-    const float high = most > 0 ? most : 1.0f;
+    const float maximum = typical_maximum(values, least);
+    const float high = maximum > 0 ? maximum : 1.0f;
     return {kind, kind == Kind::diverging ? -high : 0.0f, high, "", std::nullopt};
 }
 
-/// The most frequent of the values as swatches with their shares.
-std::vector<Swatch> frequent(std::span<const std::uint32_t> values, const char* name) {
+/// The most frequent values as swatches with their shares.
+std::vector<Swatch> most_frequent(std::span<const std::uint32_t> values) {
     constexpr std::size_t kMax = 8;
     std::map<std::uint32_t, std::size_t> counts;
     for (const std::uint32_t value : values) ++counts[value];
@@ -70,38 +70,97 @@ std::vector<Swatch> frequent(std::span<const std::uint32_t> values, const char* 
     std::vector<Swatch> out;
     for (std::size_t i = 0; i < std::min(kMax, order.size()); ++i) {
         const double share = 100 * double(order[i].first) / double(values.size());
-        out.push_back({fmt::format("{}{}: {:.3g}%", name, order[i].second, share),
+        out.push_back({fmt::format("{}: {:.3g}%", order[i].second, share),
                        category_colour(order[i].second)});
     }
     return out;
 }
 
-/// Each guide a colour, mixed by the weights of every strand; and the guide that each
-/// follows most.
-void set_influence(CheckView& view, const StrandGuides& bound, std::size_t strands) {
-    const std::size_t n = bound.neighbours;
-    std::vector<std::uint32_t> leading(strands);
-    view.colours.assign(strands, Vec3f::Zero());
-    tbb::parallel_for(std::size_t(0), strands, [&](std::size_t i) {
-        const auto weights = std::span(bound.weights).subspan(i * n, n);
-        for (std::size_t k = 0; k < n; ++k) {
-            if (!(weights[k] > 0)) continue;
-            view.colours[i] += weights[k] * category_colour(bound.guides[i * n + k]);
-        }
-        const auto most = std::ranges::max_element(weights) - weights.begin();
-        leading[i] = bound.guides[i * n + std::size_t(most)];
-    });
-    view.values.values.assign(leading.begin(), leading.end());
-    view.swatches = frequent(leading, "");
+StrandValues figures(const ViewSubject& subject, int figure) {
+    return subject.strands.figures(figure, 0, subject.shown.curves);
 }
 
-void set_regions(CheckView& view) {
+void set_length_error(const ViewSubject& subject, CheckView& view) {
+    view.title = "length error, relative";
+    view.values = figures(subject, LANCRET_LENGTH_ERROR);
+    view.scale = error_scale(CheckTolerances{}.length);
+}
+
+void set_orthogonality(const ViewSubject& subject, CheckView& view) {
+    view.title = "orthogonality of frames, |R^T R - I|";
+    view.values = figures(subject, LANCRET_ORTHOGONALITY);
+    view.scale = error_scale(CheckTolerances{}.orthogonality);
+}
+
+void set_curvature(const ViewSubject& subject, CheckView& view) {
+    view.title = "curvature, 1/cm";
+    view.values = figures(subject, LANCRET_CURVATURE);
+    view.scale = size_scale(Kind::sequential, view.values.values, 0);
+}
+
+void set_torsion(const ViewSubject& subject, CheckView& view) {
+    const auto blend = subject.groom.expand.blend;
+    if (!traits_of(blend).has_torsion) {
+        throw InputError(
+            fmt::format("--view torsion: blend {} carries frames without twist, and so "
+                        "without torsion",
+                        blend_name(blend)));
+    }
+    view.title = "torsion, 1/cm, right-handed above 0";
+    view.values = figures(subject, LANCRET_TORSION);
+    view.scale = size_scale(Kind::diverging, view.values.values, 0);
+}
+
+/// Mixes one colour per guide by the weights of each strand; values are the strongest
+/// guide of each strand.
+void set_influence(const ViewSubject& subject, CheckView& view) {
+    view.title = fmt::format("influence of {} guides, mixed; strongest:",
+                             subject.plugin.info().guides);
+    const StrandGuides binding = subject.strands.guides();
+    const std::size_t strands = subject.strands.size(), n = binding.neighbours;
+    std::vector<std::uint32_t> strongest(strands);
+    view.colours.assign(strands, Vec3f::Zero());
+    tbb::parallel_for(std::size_t(0), strands, [&](std::size_t i) {
+        const auto weights = std::span(binding.weights).subspan(i * n, n);
+        for (std::size_t k = 0; k < n; ++k) {
+            if (!(weights[k] > 0)) continue;
+            view.colours[i] += weights[k] * category_colour(binding.guides[i * n + k]);
+        }
+        const auto heaviest = std::ranges::max_element(weights) - weights.begin();
+        strongest[i] = binding.guides[i * n + std::size_t(heaviest)];
+    });
+    view.values.values.assign(strongest.begin(), strongest.end());
+    view.swatches = most_frequent(strongest);
+}
+
+void set_regions(const ViewSubject& subject, CheckView& view) {
+    if (!subject.groom.regions.any()) {
+        throw InputError(fmt::format(
+            "--view region: {} has no regions; its [regions] table names them",
+            subject.groom.name));
+    }
+    view.title = "region, share of the strands";
+    view.values = figures(subject, LANCRET_REGION);
     const std::vector<std::uint32_t> regions(view.values.values.begin(),
                                              view.values.values.end());
     for (const std::uint32_t region : regions) {
         view.colours.push_back(category_colour(region));
     }
-    view.swatches = frequent(regions, "");
+    view.swatches = most_frequent(regions);
+}
+
+void set_penetration(const ViewSubject& subject, CheckView& view) {
+    const ShownTime& shown = subject.shown;
+    if (!shown.body || shown.body->triangles.empty()) {
+        throw InputError(fmt::format(
+            "--view penetration: {} has no surface to penetrate; give --scalp",
+            subject.groom.name));
+    }
+    view.title = "greatest depth below the surface, cm";
+    view.values = penetration_values(shown.curves, *shown.body);
+    view.scale = size_scale(Kind::sequential, view.values.values, kOnSurface);
+    view.scale.clean = kOnSurface;
+    view.apart = strands_apart(view, shown.curves, &*shown.body, subject.aspect);
 }
 
 }  // namespace
@@ -118,90 +177,51 @@ std::optional<View> view_named(std::string_view name) {
 
 void check_range(const ViewRequest& request) {
     if (!request.range) return;
-    // As they are used: two doubles may be one float.
+    // In single precision, as used: two doubles may be one float.
     const Eigen::Vector2f range = request.range->cast<float>();
     if (!(range.x() < range.y()) || !range.allFinite()) {
         throw InputError(
-            "--view-range: the two numbers are too near each other, or too far from 1, "
-            "to "
-            "tell colours apart by");
+            "--view-range: the two numbers are too close to each other or too far from 1 "
+            "for a scale of colours");
     }
     if (!has_scale(request.view)) {
-        throw InputError(fmt::format("--view-range: the view {} has no scale",
-                                     view_name(request.view)));
+        throw InputError(
+            fmt::format("--view-range: view {} has no scale", view_name(request.view)));
     }
     if (is_error(request.view) && !(range.x() >= std::numeric_limits<float>::min())) {
-        throw InputError(fmt::format(
-            "--view-range: the scale of {} is logarithmic and begins above 0, at "
-            "1e-37 or more",
-            view_name(request.view)));
+        throw InputError(
+            fmt::format("--view-range: the scale of {} is logarithmic and must begin at "
+                        "1e-37 or more",
+                        view_name(request.view)));
     }
 }
 
-CheckView view_of(const ViewRequest& request, const PluginGroom& plugin,
-                  const PluginStrands& strands, const ShownTime& shown,
-                  const GroomSettings& groom, float aspect) {
-    const CheckTolerances tolerances;
-    const auto figures = [&](int figure) {
-        return strands.figures(figure, 0, shown.curves);
-    };
+CheckView view_of(const ViewRequest& request, const ViewSubject& subject) {
     CheckView out;
     switch (request.view) {
         case View::length_error:
-            out.title = "length error, relative";
-            out.values = figures(LANCRET_LENGTH_ERROR);
-            out.scale = error_scale(tolerances.length);
+            set_length_error(subject, out);
             break;
         case View::orthogonality:
-            out.title = "orthogonality of frames, |R^T R - I|";
-            out.values = figures(LANCRET_ORTHOGONALITY);
-            out.scale = error_scale(tolerances.orthogonality);
+            set_orthogonality(subject, out);
             break;
         case View::curvature:
-            out.title = "curvature, 1/cm";
-            out.values = figures(LANCRET_CURVATURE);
-            out.scale = size_scale(Kind::sequential, out.values.values, 0);
+            set_curvature(subject, out);
             break;
         case View::torsion:
-            if (!traits_of(groom.expand.blend).has_torsion) {
-                throw InputError(fmt::format(
-                    "--view torsion: the blend {} carries frames without twist, and so "
-                    "without torsion",
-                    blend_name(groom.expand.blend)));
-            }
-            out.title = "torsion, 1/cm, right-handed above 0";
-            out.values = figures(LANCRET_TORSION);
-            out.scale = size_scale(Kind::diverging, out.values.values, 0);
+            set_torsion(subject, out);
             break;
         case View::influence:
-            out.title = fmt::format("influence of {} guides, mixed; most followed:",
-                                    plugin.info().guides);
-            set_influence(out, strands.guides(), strands.size());
+            set_influence(subject, out);
             break;
         case View::region:
-            if (!groom.regions.any()) {
-                throw InputError(fmt::format(
-                    "--view region: {} has no regions; its [regions] table names them",
-                    groom.name));
-            }
-            out.title = "region, share of the strands";
-            out.values = figures(LANCRET_REGION);
-            set_regions(out);
+            set_regions(subject, out);
             break;
         case View::penetration:
-            if (!shown.body || shown.body->triangles.empty()) {
-                throw InputError(fmt::format(
-                    "--view penetration: {} has no surface to be below; give --scalp",
-                    groom.name));
-            }
-            out.title = "deepest place below the surface, cm";
-            out.values = penetration_values(shown.curves, *shown.body);
-            out.scale = size_scale(Kind::sequential, out.values.values, kOnSurface);
-            out.scale.clean = kOnSurface;
-            out.apart = strands_apart(out, shown.curves, &*shown.body, aspect);
+            set_penetration(subject, out);
             break;
     }
-    out.ids = shown.curves.ids;
+    out.ids = subject.shown.curves.ids;
     if (request.range) {
         out.scale.low = float(request.range->x());
         out.scale.high = float(request.range->y());
@@ -211,7 +231,7 @@ CheckView view_of(const ViewRequest& request, const PluginGroom& plugin,
 }
 
 void keep_range(const CheckView& view, ViewRequest& request) {
-    // Those of errors are the same in all pictures as it is.
+    // Scales of errors are the same in all pictures.
     if (!has_scale(request.view) || is_error(request.view)) return;
     request.range = Vec2(view.scale.low, view.scale.high);
 }
@@ -222,8 +242,9 @@ StrandValues penetration_values(const Curves& curves, const TriangleMesh& surfac
     out.values.assign(curves.strands, 0);
     tbb::parallel_for(std::uint32_t(0), curves.strands, [&](std::uint32_t i) {
         const EmittedStrand strand = emitted_strand(curves, i);
-        Vec3 asked = Vec3::Zero();
-        double clear = 0, deepest = 0;  // all within `clear` of `asked` is outside
+        Vec3 queried = Vec3::Zero();
+        double clear = 0,
+               deepest = 0;  // everything within `clear` of `queried` is outside
         for (std::size_t half = 0; half <= 2 * strand.segments(); ++half) {
             const bool tip = half == 2 * strand.segments();
             const Vec3 place = tip ? strand.position(half / 2 - 1, 1)
@@ -232,9 +253,9 @@ StrandValues penetration_values(const Curves& curves, const TriangleMesh& surfac
                 deepest = std::numeric_limits<float>::max();
                 break;
             }
-            if ((place - asked).norm() < clear) continue;
+            if ((place - queried).norm() < clear) continue;
             clear = distance.at(place).distance;
-            asked = place;
+            queried = place;
             deepest = std::max(deepest, -clear);
         }
         out.values[i] = float(deepest);
@@ -245,24 +266,24 @@ StrandValues penetration_values(const Curves& curves, const TriangleMesh& surfac
 namespace {
 
 struct Extremes {
-    float most = 0;          ///< of all sizes, with its sign
-    std::size_t strand = 0;  ///< where that is, its id
-    std::size_t beyond = 0;  ///< strands with a value above the limit
+    float largest = 0;       ///< value of the largest magnitude
+    std::size_t strand = 0;  ///< id of its strand
+    std::size_t above = 0;   ///< strands with a value above the limit
 };
 
 Extremes extremes(const CheckView& view) {
     const float limit = view.scale.clean.value_or(view.scale.high);
     Extremes out;
     for (std::size_t i = 0; i < view.values.strands(); ++i) {
-        bool beyond = false;
+        bool above = false;
         for (const float value : view.values.of(i)) {
-            beyond = beyond || value > limit;
-            if (std::abs(value) > std::abs(out.most)) {
-                out.most = value;
+            above = above || value > limit;
+            if (std::abs(value) > std::abs(out.largest)) {
+                out.largest = value;
                 out.strand = view.ids.empty() ? i : view.ids[i];
             }
         }
-        out.beyond += beyond;
+        out.above += above;
     }
     return out;
 }
@@ -274,8 +295,8 @@ std::string view_line(const ViewRequest& request, const CheckView& view) {
         return fmt::format("{} {}", view.title, view.swatches.front().name);
     }
     const Extremes found = extremes(view);
-    return fmt::format("{}: most {:.3g}, of strand {}; {} of {} strands above {:.3g}",
-                       view.title, found.most, found.strand, found.beyond,
+    return fmt::format("{}: largest {:.3g}, strand {}; {} of {} strands above {:.3g}",
+                       view.title, found.largest, found.strand, found.above,
                        view.values.strands(), view.scale.clean.value_or(view.scale.high));
 }
 
@@ -285,9 +306,9 @@ nlohmann::json view_json(const ViewRequest& request, const CheckView& view) {
     const Extremes found = extremes(view);
     out.update({{"low", view.scale.low},
                 {"high", view.scale.high},
-                {"most", found.most},
+                {"largest", found.largest},
                 {"strand", found.strand},
-                {"above", found.beyond}});
+                {"above", found.above}});
     return out;
 }
 

@@ -7,7 +7,8 @@
 #include <string_view>
 
 #include "render_test/trace/check_view.h"
-#include "tools/preview/picture.h"
+#include "tools/job.h"
+#include "tools/preview/shown_times.h"
 
 namespace lancret {
 
@@ -42,12 +43,17 @@ struct ViewRequest {
 /// Throws InputError where the view has no scale or its scale cannot have the range.
 void check_range(const ViewRequest& request);
 
-/// The view of the strands at the first of their times, which is `shown`; `groom` says
-/// what it has, `aspect` is that of their section. Throws InputError where the groom has
-/// not what the view shows.
-CheckView view_of(const ViewRequest& request, const PluginGroom& plugin,
-                  const PluginStrands& strands, const ShownTime& shown,
-                  const GroomSettings& groom, float aspect);
+/// The strands that a view shows. References must outlive it.
+struct ViewSubject {
+    const PluginGroom& plugin;
+    const PluginStrands& strands;
+    const ShownTime& shown;  ///< the first of their times
+    const GroomSettings& groom;
+    float aspect;  ///< of their section
+};
+
+/// Throws InputError if the groom lacks what the view shows.
+CheckView view_of(const ViewRequest& request, const ViewSubject& subject);
 
 /// Makes the view's scale that of the pictures to come, where nothing else was asked for.
 void keep_range(const CheckView& view, ViewRequest& request);

@@ -11,8 +11,8 @@ namespace lancret {
 
 namespace {
 
-/// Paths a pixel of a draft: a quarter of what a quiet picture needs, and enough for the
-/// variance by which it is denoised.
+/// Paths per pixel of a draft: a quarter of those of a clean picture, and enough to
+/// estimate the variance for denoising.
 constexpr int kDraftSamples = 4;
 
 /// "A,B", two numbers.
@@ -31,26 +31,28 @@ Vec2 parse_shutter(const std::string& text) {
     const std::optional<Vec2> out = parse_pair(text);
     if (!out || !is_shutter(*out)) {
         throw InputError(fmt::format(
-            "--shutter: '{}' is no shutter; give when it opens and closes, in frames "
-            "after the frame, such as 0,0.5",
+            "--shutter: invalid shutter '{}': expected the times at which it opens and "
+            "closes, in frames after the frame, such as 0,0.5",
             text));
     }
     return *out;
 }
 
-/// Throws InputError where an option of light is asked of a view, which traces none.
+/// Throws InputError if an option of light is combined with a view, which traces none.
 void refuse_with_view(const PreviewOptions& options) {
     if (options.view.empty()) return;
-    const std::pair<bool, const char*> asked[] = {{!options.deep.empty(), "--deep"},
-                                                  {options.denoise, "--denoise"},
-                                                  {options.draft, "--draft"},
-                                                  {options.noise.has_value(), "--noise"}};
-    for (const auto& [given, name] : asked) {
+    const std::pair<bool, const char*> of_light[] = {
+        {!options.deep.empty(), "--deep"},
+        {options.denoise, "--denoise"},
+        {options.draft, "--draft"},
+        {options.noise.has_value(), "--noise"}};
+    for (const auto& [given, name] : of_light) {
         if (given) {
-            throw InputError(fmt::format(
-                "{}: is for a picture of light, and --view {} shows figures; leave one "
-                "of them out",
-                name, options.view));
+            throw InputError(
+                fmt::format("{}: applies to pictures of light, but --view {} shows "
+                            "figures; remove one "
+                            "of them",
+                            name, options.view));
         }
     }
 }
@@ -63,10 +65,10 @@ std::vector<PictureFiles> outputs_of(const PreviewOptions& options, const Job& j
     const bool several = chosen.frames.size() > 1;
     if (options.turntable && several) {
         throw InputError(
-            "--turntable: goes round one frame; give --frame and not --frames");
+            "--turntable: shows a single frame; use --frame instead of --frames");
     }
     if (options.progressive && !options.deep.empty()) {
-        throw InputError("--deep: is written once, at the end; leave out --progressive");
+        throw InputError("--deep: is written once, at the end; remove --progressive");
     }
     refuse_with_view(options);
     const auto add = [&](const auto& path_of) {
@@ -87,7 +89,7 @@ std::vector<PictureFiles> outputs_of(const PreviewOptions& options, const Job& j
     const std::filesystem::path sheet = options.contact_sheet;
     if (!sheet.empty() && !options.turntable && options.frames.frames.empty()) {
         throw InputError(
-            "--contact-sheet: is of several pictures; give --frames or --turntable");
+            "--contact-sheet: needs several pictures; add --frames or --turntable");
     }
     check_output(sheet, {".png"}, job.inputs, options.groom.stats);
     for (const auto& [picture, deep] : out) {
@@ -106,7 +108,7 @@ void set_override(const PreviewOptions& options, const ChosenFrames& chosen,
         std::tie(render.width, render.height) = parse_size(options.size);
     }
     if (!options.view.empty()) {
-        // An instant, sharp, on a dark ground; a view has little noise.
+        // One instant, in focus, on a dark background; a view has little noise.
         render.samples = 8;
         render.noise = 0;
         settings.shutter.reset();
@@ -123,9 +125,8 @@ void set_override(const PreviewOptions& options, const ChosenFrames& chosen,
     }
     if (settings.denoise && render.samples < 2) {
         throw InputError(
-            "--denoise and --draft: one sample a pixel does not tell what is noise; give "
-            "--samples 2 "
-            "or more");
+            "--denoise and --draft: noise cannot be estimated from one sample per pixel; "
+            "use --samples 2 or more");
     }
     if (options.regularisation) settings.regularisation = *options.regularisation;
     if (const auto* name = std::ranges::find(kLobeWidthNames, options.lobes);
@@ -135,8 +136,7 @@ void set_override(const PreviewOptions& options, const ChosenFrames& chosen,
     if (options.shutter.empty()) return;
     settings.shutter = parse_shutter(options.shutter);
     if (chosen.cache.empty()) {
-        throw InputError(
-            "--shutter: the groom is no cache (.h5) and so holds still; simulate one");
+        throw InputError("--shutter: only a cache (.h5) moves; simulate one first");
     }
 }
 
@@ -145,108 +145,135 @@ std::optional<ViewRequest> view_request(const PreviewOptions& options) {
     ViewRequest out{*view_named(options.view), std::nullopt};
     if (options.view_range.empty()) return out;
     out.range = parse_pair(options.view_range);
-    // Written so that a NaN is none.
+    // Written so that NaN is refused.
     if (!out.range || !(out.range->x() < out.range->y()) ||
         !(out.range->cwiseAbs().maxCoeff() <= 1e30)) {
         throw InputError(fmt::format(
-            "--view-range: '{}' is no range; give two numbers, the smaller first, such "
-            "as 0,2.5",
+            "--view-range: invalid range '{}': expected two numbers, the smaller first, "
+            "such as 0,2.5",
             options.view_range));
     }
     check_range(out);
     return out;
 }
 
-void add_preview_options(CLI::App& command, PreviewOptions& options) {
-    add_groom_options(command, options.groom);
-    add_frames_options(command, options.frames);
-    command.add_option("--samples", options.samples, "paths a pixel")
+namespace {
+
+void add_picture_options(CLI::App& command, PreviewOptions& options) {
+    command.add_option("--samples", options.samples, "paths per pixel")
         ->type_name("N")
         ->check(CLI::Range(1, 65536));
     command
         .add_option("--noise", options.noise,
                     "render until the picture has this relative noise, each pixel with "
-                    "as many paths as it needs, at most --samples (1024 by default)")
+                    "as many paths as it needs, at most --samples (default 1024)")
         ->type_name("N")
         ->check(number_between(0.001, 10.0));
     command
         .add_option("--lod", options.lod,
-                    "level of detail: at most this many strands for each pixel that a "
-                    "chunk of hair covers, wider as they are fewer")
+                    "level of detail: at most this many strands per pixel that a chunk "
+                    "of hair covers; fewer strands are drawn wider")
         ->type_name("N")
         ->check(number_between(1e-6, 1e6));
-    command.add_option("--size", options.size, "of the picture, pixels")
+    command.add_option("--size", options.size, "picture size in pixels")
         ->type_name("WxH")
         ->check(not_empty());
     command
+        .add_flag("--draft", options.draft,
+                  "fast preview: 4 paths per pixel, denoised; softens shadows between "
+                  "strands")
+        ->excludes("--noise");
+    command.add_flag("--progressive", options.progressive,
+                     "write the picture at 1, 2, 4, ... samples per pixel");
+    command.add_flag("--denoise", options.denoise,
+                     "denoise, guided by coverage, normals, tangents and depth");
+}
+
+void add_time_options(CLI::App& command, PreviewOptions& options) {
+    add_frames_options(command, options.frames);
+    command
         .add_option("--shutter", options.shutter,
-                    "motion blur: when it opens and closes, in frames after the frame")
+                    "motion blur: when the shutter opens and closes, in frames after the "
+                    "frame")
         ->type_name("A,B")
         ->check(not_empty());
     command
         .add_option("--motion-samples", options.motion_samples,
-                    "times in the shutter at which the strands are grown")
+                    "times within the shutter at which strands are grown")
         ->type_name("N")
         ->check(CLI::Range(2, int(kMaxSceneTimes)));
     command
+        .add_option("--turntable", options.turntable,
+                    "number of views evenly spaced around the groom, which is grown "
+                    "once; pictures are numbered")
+        ->type_name("N")
+        ->check(CLI::Range(2, 100000));
+}
+
+void add_light_options(CLI::App& command, PreviewOptions& options) {
+    command
         .add_option("--regularisation", options.regularisation,
-                    "least roughness of hair after a path's first scattering: less "
-                    "noise, a little brighter; 0.5 by default, 0 for a reference")
+                    "minimum roughness of hair after a path's first scattering: reduces "
+                    "noise, brightens slightly; default 0.5, 0 for a reference")
         ->type_name("R")
         ->check(number_between(0, 1));
     command
         .add_option("--lobes", options.lobes,
-                    "light across a strand: 'near' by where it is met, 'far' its mean, "
-                    "'auto' the mean of strands thinner than a pixel")
+                    "scattering across a strand: 'near' by the offset of each ray, 'far' "
+                    "the mean over offsets, 'auto' the mean for strands thinner than a "
+                    "pixel")
         ->check(CLI::IsMember(
             std::vector<std::string>(kLobeWidthNames.begin(), kLobeWidthNames.end())));
-    command
-        .add_flag(
-            "--draft", options.draft,
-            "quickly: 4 paths a pixel, denoised; blurs what strands do to each other")
-        ->excludes("--noise");
-    command.add_flag("--progressive", options.progressive,
-                     "write the picture at 1, 2, 4, ... samples a pixel");
-    command
-        .add_option("--turntable", options.turntable,
-                    "views evenly round the groom, grown once; numbers the pictures")
-        ->type_name("N")
-        ->check(CLI::Range(2, 100000));
-    command.add_flag("--denoise", options.denoise,
-                     "less noise of few samples, by a filter that coverage, normals, "
-                     "tangents and depth guide");
-    command
-        .add_option("--deep", options.deep,
-                    "beside the picture a deep one (.exr): strands at their depths")
-        ->type_name("FILE")
-        ->check(not_empty());
-    command
-        .add_option("--contact-sheet", options.contact_sheet,
-                    "with --frames or --turntable: all pictures as one besides")
-        ->type_name("PNG")
-        ->check(not_empty());
+}
+
+void add_view_options(CLI::App& command, PreviewOptions& options) {
     std::vector<std::string> views;
     for (const ViewName& entry : kViewNames) views.emplace_back(entry.name);
     CLI::Option* view =
         command
             .add_option("--view", options.view,
-                        "in place of hair: a figure of every strand as a false colour")
+                        "show a figure of every strand in false colours instead of hair")
             ->type_name("NAME")
             ->check(CLI::IsMember(views))
             ->excludes("--shutter")
             ->excludes("--motion-samples");
     command
         .add_option("--view-range", options.view_range,
-                    "the figures at the ends of the view's colours")
+                    "values at the ends of the view's colour scale")
         ->type_name("A,B")
         ->check(not_empty())
         ->needs(view);
+}
+
+void add_output_options(CLI::App& command, PreviewOptions& options) {
+    command
+        .add_option("--deep", options.deep,
+                    "also write a deep image (.exr) with strands at their depths")
+        ->type_name("FILE")
+        ->check(not_empty());
+    command
+        .add_option("--contact-sheet", options.contact_sheet,
+                    "also write all pictures as one contact sheet (with --frames or "
+                    "--turntable)")
+        ->type_name("PNG")
+        ->check(not_empty());
     command
         .add_option("-o,--output", options.output,
-                    "the picture: .exr or .png; of several frames, head.####.png")
+                    "output picture: .exr or .png; for several frames, head.####.png")
         ->required()
         ->type_name("FILE")
         ->check(not_empty());
+}
+
+}  // namespace
+
+void add_preview_options(CLI::App& command, PreviewOptions& options) {
+    add_groom_options(command, options.groom);
+    add_picture_options(command, options);
+    add_light_options(command, options);
+    add_time_options(command, options);
+    add_view_options(command, options);
+    add_output_options(command, options);
     command.footer(
         "Examples:\n"
         "  lancret preview examples/made_groom.toml -o head.png\n"

@@ -1,5 +1,5 @@
 #pragma once
-// What lancret preview is asked for.
+// The options of lancret preview.
 
 #include <filesystem>
 #include <optional>
@@ -9,6 +9,7 @@
 #include "tools/frames.h"
 #include "tools/options.h"
 #include "tools/preview/check_views.h"
+#include "tools/preview/picture.h"
 
 namespace lancret {
 
@@ -24,16 +25,16 @@ struct PreviewOptions {
 
 void add_preview_options(CLI::App& command, PreviewOptions& options);
 
-/// The pictures to write: one a frame, or one a view of a turntable. Throws InputError
-/// where one of the outputs cannot be written or options do not go together.
+/// The pictures to write: one per frame, or one per view of a turntable. Throws
+/// InputError if an output cannot be written or options contradict each other.
 std::vector<PictureFiles> outputs_of(const PreviewOptions& options, const Job& job,
                                      const ChosenFrames& chosen);
 
-/// The options laid over what the groom says of its picture. Throws InputError.
+/// Overrides a groom's picture settings by the options. Throws InputError.
 void set_override(const PreviewOptions& options, const ChosenFrames& chosen,
                   PreviewSettings& settings);
 
-/// The check view that is asked for, if any. Throws InputError.
+/// The requested check view, if any. Throws InputError.
 std::optional<ViewRequest> view_request(const PreviewOptions& options);
 
 }  // namespace lancret

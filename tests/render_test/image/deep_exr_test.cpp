@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "guides/base/errors.h"
-#include "render_test/image/exr.h"
+#include "render_test/image/deep_exr.h"
 #include "render_test/trace/render.h"
 #include "tests/render_test/make_curves.h"
 
@@ -45,6 +45,13 @@ struct Ball {
     }
     Image image() const { return render(scene, camera, settings); }
 };
+
+/// "Over" of points from near to far.
+Eigen::Vector4f flattened(std::span<const DeepPoint> points) {
+    Eigen::Vector4f out = Eigen::Vector4f::Zero();
+    for (const DeepPoint& point : points) out += (1 - out.w()) * point.rgba;
+    return out;
+}
 
 fs::path written(const Image& image) {
     const fs::path path = fs::path(testing::TempDir()) / "lancret_deep.exr";

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "guides/base/errors.h"
+#include "render_test/image/read_image.h"
 
 namespace lancret {
 namespace {
@@ -38,7 +39,7 @@ TEST(Image, PngComesBackWithinHalfAStepOfItsCode) {
     const Image image = small_image();
     const Vec3f background(0.1f, 0.2f, 0.3f);
     write_image(path, image, background);
-    const Texture map = read_colour_map(path);
+    const Texture map = read_texture(path);
     ASSERT_EQ(map.width, 5);
     ASSERT_EQ(map.height, 3);
     for (std::size_t i = 0; i < 15; ++i)
@@ -54,7 +55,7 @@ TEST(Image, PngWithAlphaIsNotPremultiplied) {
     Image image(2, 1);
     image.rgba[0] << 0.2f, 0.1f, 0.05f, 0.5f;
     write_image(path, image);
-    const Texture map = read_colour_map(path);
+    const Texture map = read_texture(path);
     // A step of the sRGB code at 0.4 linear is 0.006.
     EXPECT_LT((map.texels[0] - Vec3f(0.4f, 0.2f, 0.1f)).cwiseAbs().maxCoeff(), 0.004f);
 }
@@ -63,7 +64,7 @@ TEST(Image, FloatPicturesAreReadAsTheyAre) {
     const fs::path path = fresh_folder("lancret_float") / "a.exr";
     const Image image = small_image();
     write_image(path, image);
-    const Texture map = read_colour_map(path);
+    const Texture map = read_texture(path);
     for (std::size_t i = 0; i < 15; ++i)
         EXPECT_EQ(map.texels[i], Vec3f(image.rgba[i].head<3>()));
 }
@@ -92,7 +93,7 @@ TEST(Image, OtherExtensionsAreRefusedWithThoseAllowed) {
 }
 
 TEST(Image, AMissingTextureIsNamed) {
-    EXPECT_EQ(message([] { read_colour_map("/no/such/sky.exr"); }),
+    EXPECT_EQ(message([] { read_texture("/no/such/sky.exr"); }),
               "/no/such/sky.exr: no such picture");
 }
 
@@ -100,13 +101,13 @@ TEST(Image, WhatIsNoPictureIsRefused) {
     const fs::path folder = fresh_folder("lancret_broken");
     const fs::path text = folder / "a.png";
     std::ofstream(text) << "this is not a picture";
-    EXPECT_THROW(read_colour_map(text), InputError);
+    EXPECT_THROW(read_texture(text), InputError);
     // A picture cut off in the middle.
     const fs::path whole = folder / "b.exr", cut = folder / "c.exr";
     write_image(whole, small_image());
     fs::copy_file(whole, cut);
     fs::resize_file(cut, fs::file_size(whole) / 2);
-    EXPECT_THROW(read_colour_map(cut), InputError);
+    EXPECT_THROW(read_texture(cut), InputError);
 }
 
 TEST(Image, NanInATextureIsRefusedWithItsPlace) {
@@ -114,7 +115,7 @@ TEST(Image, NanInATextureIsRefusedWithItsPlace) {
     Image image = small_image();
     image.rgba[7].x() = std::numeric_limits<float>::quiet_NaN();
     write_image(path, image);
-    EXPECT_EQ(message([&] { read_colour_map(path); }),
+    EXPECT_EQ(message([&] { read_texture(path); }),
               path.string() + ": texel 2, 1 is not a finite number");
 }
 

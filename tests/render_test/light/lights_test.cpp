@@ -216,7 +216,7 @@ TEST(Lights, TheChosenOneStandsForTheSumOfAll) {
                                            std::max(0.0f, l.direction.dot(normal)) /
                                            l.pdf;
                                 })
-                       .brings.x());
+                       .contribution.x());
     }
     EXPECT_NEAR(chosen.value(), each.value(),
                 kSigmas * std::hypot(chosen.error(), each.error()));
@@ -228,7 +228,7 @@ TEST(Lights, NoLightAtAllBringsNone) {
     const ChosenLight none =
         choose_light(dark, Vec3f::Zero(), 0.3f, {0.2f, 0.7f},
                      [](const LightSample& l) -> Vec3f { return l.radiance / l.pdf; });
-    EXPECT_EQ(none.brings, Vec3f::Zero());
+    EXPECT_EQ(none.contribution, Vec3f::Zero());
     EXPECT_EQ(dark.radiance(Vec3f::Zero(), Vec3f::UnitX()), Vec3f::Zero());
 }
 

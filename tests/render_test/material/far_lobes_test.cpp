@@ -186,7 +186,7 @@ TEST(FarLobes, SampledEnergyIsTheTables) {
             mean.add(sample ? sample->at.value.x() / sample->at.pdf : 0);
         }
         double energy = 0;
-        for (int p = 0; p < kHairLobes; ++p) energy += far.lobe_energy(p).x();
+        for (int p = 0; p < kHairLobes; ++p) energy += LobeInspection::energy(far, p).x();
         EXPECT_NEAR(mean.value(), energy, kSigmas * mean.error()) << sigma_a;
     }
 }

@@ -15,21 +15,21 @@ double lobe_chance(const HairMaterial& m, float inclination, float h, int lobe, 
     const HairModel model(m);
     const HairBsdf bsdf(model, viewer(inclination), h);
     float low = 0;
-    for (int p = 0; p < lobe; ++p) low += bsdf.lobe_probability(p);
+    for (int p = 0; p < lobe; ++p) low += LobeInspection::probability(bsdf, p);
     SphereBins bins(24, 48);
     Random random{std::mt19937(seed)};
     int drawn = 0;
     for (int i = 0; i < count; ++i) {
         // Within the lobe's own share, kept off its ends by more than a rounding.
         const float pick =
-            low + bsdf.lobe_probability(lobe) * (0.001f + 0.998f * random());
+            low + LobeInspection::probability(bsdf, lobe) * (0.001f + 0.998f * random());
         const float azimuth = random();
         const auto sample = bsdf.sample(pick, azimuth, random.pair());
         if (sample) bins.add(sample->direction), ++drawn;
     }
     EXPECT_EQ(drawn, count);
-    auto expected =
-        bins.integrals([&](const Vec3f& d) { return bsdf.lobe_density(lobe, d); }, fine);
+    auto expected = bins.integrals(
+        [&](const Vec3f& d) { return LobeInspection::density(bsdf, lobe, d); }, fine);
     for (double& e : expected) e *= count;
     return pearson_chance(bins.counts, expected);
 }
@@ -64,9 +64,11 @@ TEST(HairBsdf, TheWholeIsTheSumOfItsLobes) {
         Vec3f value = Vec3f::Zero();
         float pdf = 0, probability = 0;
         for (int p = 0; p < kHairLobes; ++p) {
-            value += bsdf.lobe_attenuation(p) * bsdf.lobe_density(p, wi);
-            pdf += bsdf.lobe_probability(p) * bsdf.lobe_density(p, wi);
-            probability += bsdf.lobe_probability(p);
+            value += LobeInspection::attenuation(bsdf, p) *
+                     LobeInspection::density(bsdf, p, wi);
+            pdf += LobeInspection::probability(bsdf, p) *
+                   LobeInspection::density(bsdf, p, wi);
+            probability += LobeInspection::probability(bsdf, p);
         }
         const BsdfValue at = bsdf.evaluate(wi);
         EXPECT_LE((value - at.value).norm(), 1e-6f * value.norm());

@@ -260,12 +260,12 @@ TEST(HairMaterial, WidenedHairAbsorbsAsBefore) {
     HairMaterial m;
     m.colour = Vec3f(0.6f, 0.3f, 0.1f);
     m.beta_m = 0.2f, m.beta_n = 0.7f;
-    const HairMaterial wide = widened(m, 0.5f);
+    const HairMaterial wide = roughened(m, 0.5f);
     EXPECT_EQ(wide.beta_m, 0.5f);
     EXPECT_EQ(wide.beta_n, 0.7f);
     // The absorption of a colour depends on beta_n: it stays that of the material.
     EXPECT_EQ(sigma_a_of(wide), sigma_a_of(m));
-    EXPECT_EQ(sigma_a_of(widened(m, 0.9f)), sigma_a_of(m));
+    EXPECT_EQ(sigma_a_of(roughened(m, 0.9f)), sigma_a_of(m));
 }
 
 }  // namespace

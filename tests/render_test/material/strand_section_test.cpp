@@ -115,7 +115,8 @@ TEST(StrandSection, WhiteFurnaceSendsAllLightOn) {
         const HairBsdf bsdf(model, model.sigma_a, viewer(3 * random() - 1.5f),
                             2 * random() - 1, {0.2f + 0.8f * random(), 6 * random()});
         float sum = 0;
-        for (int p = 0; p < kHairLobes; ++p) sum += bsdf.lobe_attenuation(p).x();
+        for (int p = 0; p < kHairLobes; ++p)
+            sum += LobeInspection::attenuation(bsdf, p).x();
         ASSERT_NEAR(sum, 1, 1e-6);
         const auto sample = draw(bsdf, random);
         ASSERT_TRUE(sample);

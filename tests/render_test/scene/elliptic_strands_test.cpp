@@ -37,11 +37,11 @@ TEST(EllipticStrands, AreAsWideAsTheirSectionShows) {
             if (!hit) continue;
             // facing = back, tangent = +x: facing x tangent is (0, cos a, -sin a). Places
             // at 5 cm are good to 6e-7, over a half width of 0.06 or more, doubled.
-            EXPECT_NEAR(hit->h, h, 2e-5) << turn;
-            EXPECT_EQ(hit->aspect, aspect);
+            EXPECT_NEAR(hit->strand.h, h, 2e-5) << turn;
+            EXPECT_EQ(hit->strand.section.aspect, aspect);
             // The major axis is +-y: at angle a from `side` towards `back`, either way
             // on.
-            EXPECT_NEAR(std::sin(hit->section_angle - a), 0, 1e-5) << turn;
+            EXPECT_NEAR(std::sin(hit->strand.section.angle - a), 0, 1e-5) << turn;
         }
     }
 }

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "render_test/sampling/sampling.h"
-#include "render_test/trace/path_tracer.h"
+#include "render_test/trace/rays.h"
 #include "tests/render_test/make_curves.h"
 
 namespace lancret {
@@ -54,12 +54,12 @@ TEST(HairScene, FlatStraightStrandIsHitWhereTheRibbonIs) {
             // Coordinates of 15 cm carry 1e-6 cm each; the ray multiplies that by up to
             // 1 / sin of its angle to the strand, here below 4.
             EXPECT_LT((hit->position - target).norm(), 3e-5) << i;
-            EXPECT_NEAR(hit->h, h, 3e-5 / radius) << i;
-            EXPECT_LT((hit->offset - h * radius * across).norm(), 3e-5) << i;
+            EXPECT_NEAR(hit->strand.h, h, 3e-5 / radius) << i;
+            EXPECT_LT((hit->strand.offset - h * radius * across).norm(), 3e-5) << i;
             EXPECT_NEAR(float(hit->primitive) + hit->u, x, 1e-4) << i;
             EXPECT_LT((hit->tangent - tangent).norm(), 1e-6) << i;
-            EXPECT_FLOAT_EQ(hit->radius, radius);
-            EXPECT_EQ(hit->strand, 0u);
+            EXPECT_FLOAT_EQ(hit->strand.radius, radius);
+            EXPECT_EQ(hit->strand.index, 0u);
             EXPECT_TRUE(scene.occluded(ray_to(from, target)));
         }
     }
@@ -109,7 +109,7 @@ TEST(HairScene, RoundStrandIsHitOnItsCylinder) {
                       2e-3f * radius)
                 << y;
             EXPECT_LT((hit->normal - outward).norm(), 1e-2f) << y;
-            EXPECT_NEAR(hit->h, y, 1e-2f) << y;
+            EXPECT_NEAR(hit->strand.h, y, 1e-2f) << y;
         }
     }
 }
@@ -124,13 +124,14 @@ TEST(HairScene, PrimitivesNameTheirStrand) {
         const Vec3f target(unit(random), unit(random), 0);
         const auto hit = scene.intersect(ray_to(Vec3f(0, 0, 60), target));
         if (!hit) continue;
-        seen.insert(hit->strand);
+        seen.insert(hit->strand.index);
         // The hit lies within its strand's own control points' box, grown by the radius.
         Eigen::AlignedBox3f box;
         for (std::uint32_t j = 0; j < curves.points_of(0); ++j)
             box.extend(
-                curves.points[std::size_t(hit->strand) * curves.points_of(0) + j].xyz());
-        EXPECT_LT(box.exteriorDistance(hit->position), 2 * hit->radius);
+                curves.points[std::size_t(hit->strand.index) * curves.points_of(0) + j]
+                    .xyz());
+        EXPECT_LT(box.exteriorDistance(hit->position), 2 * hit->strand.radius);
     }
     EXPECT_GT(seen.size(), 50u);
 }
@@ -147,7 +148,7 @@ TEST(HairScene, MeshHitsCarryTriangleNormalAndUv) {
     EXPECT_EQ(hit->kind, Hit::Kind::mesh);
     EXPECT_EQ(hit->primitive, 0u);
     EXPECT_LT((hit->normal - Vec3f(0, 0, 1)).norm(), 1e-6);
-    EXPECT_LT((hit->uv - Vec2f(0.25f, 0.4f)).norm(), 1e-6);
+    EXPECT_LT((hit->mesh.uv - Vec2f(0.25f, 0.4f)).norm(), 1e-6);
     EXPECT_NEAR(hit->distance, 5, 1e-6);
     EXPECT_GT(scene.bvh_bytes(), 0u);
 }

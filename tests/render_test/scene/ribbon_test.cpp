@@ -47,10 +47,10 @@ TEST(Ribbon, IsHitAcrossItsWholeWidthOnBothSidesAndNotBeyond) {
                 scene.intersect(ray_along({1.7f, y, 5 * side}, {0, 0, -side}));
             ASSERT_EQ(bool(hit), std::abs(y) < radius) << y;
             if (!hit) continue;
-            EXPECT_TRUE(hit->ribbon);
+            EXPECT_TRUE(hit->strand.ribbon);
             EXPECT_NEAR(hit->position.z(), 0, 2e-3f * radius);
             EXPECT_NEAR(hit->shading_normal.z(), side, 1e-5);
-            EXPECT_NEAR(hit->along, 1.7f / 4, 1e-3);
+            EXPECT_NEAR(hit->strand.along, 1.7f / 4, 1e-3);
         }
     // Seen on its edge it is not there, which a strand that faces the ray would be.
     EXPECT_FALSE(scene.intersect(ray_along({1.7f, 5, 0.01f}, {0, -1, 0})));

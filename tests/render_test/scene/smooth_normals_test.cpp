@@ -90,9 +90,9 @@ TEST(SmoothNormals, HitsOfASphereHaveItsNormalAndStartOnIt) {
         smooth = std::max<double>(smooth, (hit->shading_normal - radial).norm());
         flat = std::max<double>(flat, (facet->shading_normal - radial).norm());
         EXPECT_EQ(hit->normal, facet->normal);
-        EXPECT_EQ(facet->lift, Vec3f::Zero());
+        EXPECT_EQ(facet->mesh.lift, Vec3f::Zero());
         below += 9 - hit->position.norm();
-        lifted += std::abs(9 - (hit->position + hit->lift).norm());
+        lifted += std::abs(9 - (hit->position + hit->mesh.lift).norm());
     }
     // Facets are off by up to the half diagonal of a cell, 0.09 radian; interpolated
     // normals by its square and what the vertices' own are off.

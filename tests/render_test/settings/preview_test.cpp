@@ -18,14 +18,12 @@ std::string error_of(std::string_view text) {
 }
 
 TEST(PreviewSettings, LightsThatWouldDoNothingAreErrors) {
-    EXPECT_EQ(
-        error_of("[light]\nstrength = 2\n"),
-        "g.toml:2: 'strength' is that of a 'sky', 'environment' or 'key'; name one");
+    EXPECT_EQ(error_of("[light]\nstrength = 2\n"),
+              "g.toml:2: 'strength' needs a 'sky', 'environment' or 'key'");
     EXPECT_EQ(error_of("[light]\nsky = [1, 1, 1]\nrotation_degrees = 9\n"),
-              "g.toml:3: 'rotation_degrees' turns an 'environment'; name one");
-    EXPECT_EQ(
-        error_of("[light]\nkey_radius_degrees = 9\n"),
-        "g.toml:2: 'key_radius_degrees' belongs to a 'key' or 'key_direction'; name one");
+              "g.toml:3: 'rotation_degrees' needs an 'environment'");
+    EXPECT_EQ(error_of("[light]\nkey_radius_degrees = 9\n"),
+              "g.toml:2: 'key_radius_degrees' needs a 'key' or 'key_direction'");
 }
 
 TEST(PreviewSettings, StrengthTimesTheSkyIsTheRadianceSeen) {
@@ -78,7 +76,7 @@ TEST(PreviewSettings, RectangleAndSphereNeedAPlace) {
     EXPECT_EQ(error_of("[[light.sphere]]\nradius = 2\n"),
               "g.toml:1: a sphere of light needs a 'position'");
     EXPECT_EQ(error_of("[[light.rectangle]]\nposition = [0, 1, 0]\n"),
-              "g.toml:1: a rectangle of light needs a 'target', the place it shines at");
+              "g.toml:1: a rectangle of light needs a 'target', the point that it faces");
     EXPECT_EQ(error_of("[[light.rectangle]]\nposition = [0, 1, 0]\n"
                        "target = [0, 1, 0]\n"),
               "g.toml:3: 'target' must not be the light's 'position'");
@@ -88,9 +86,8 @@ TEST(PreviewSettings, PresetsAreTheMelaninOfTheirName) {
     EXPECT_EQ(settings_of("[material]\npreset = \"blond\"\n").hair.eumelanin, 0.3f);
     EXPECT_EQ(settings_of("[material]\npreset = \"brown\"\n").hair.eumelanin, 1.3f);
     EXPECT_EQ(settings_of("[material]\npreset = \"black\"\n").hair.eumelanin, 8);
-    EXPECT_EQ(
-        error_of("[material]\npreset = \"black\"\neumelanin = 1\n"),
-        "g.toml:2: a 'preset' says the melanin: leave out 'eumelanin' and 'colour'");
+    EXPECT_EQ(error_of("[material]\npreset = \"black\"\neumelanin = 1\n"),
+              "g.toml:2: a 'preset' sets the melanin: remove 'eumelanin' and 'colour'");
     EXPECT_EQ(error_of("[material]\npreset = \"blonde\"\n"),
               "g.toml:2: preset 'blonde' is not known, did you mean 'blond'?; one of: "
               "blond, brown, black");
@@ -147,11 +144,11 @@ TEST(PreviewSettings, MatricesOfUsdAndOpenExrPlaceTheSameCamera) {
               "g.toml:2: 'matrix' must be four rows of four numbers");
     EXPECT_EQ(
         error_of("[camera]\nmatrix = " + rows(to_world) + "\n"),
-        "g.toml:2: a camera's matrix must be a right-handed rotation, a place and at "
-        "most one scale");
+        "g.toml:2: a camera's matrix must be a right-handed rotation, a translation and "
+        "at most a uniform scale");
     EXPECT_EQ(error_of("[camera]\nposition = [0, 0, 9]\nmatrix = " +
                        rows(to_world.transpose()) + "\n"),
-              "g.toml:2: a camera with a matrix has no other place");
+              "g.toml:2: a camera with a matrix cannot have another position");
 }
 
 TEST(PreviewSettings, AStopOpensTheLensAndTheTargetIsInFocus) {
@@ -207,7 +204,7 @@ TEST(PreviewSettings, AShutterIsTwoFramesInOrder) {
               "g.toml:2: 'shutter' must be [a, b], two numbers");
     for (const char* wrong : {"[1, 0]", "[0, 2000]"}) {
         EXPECT_THAT(error_of(std::string("[render]\nshutter = ") + wrong + "\n"),
-                    StartsWith("g.toml:2: 'shutter' is [opens, closes]"));
+                    StartsWith("g.toml:2: 'shutter' must be [opens, closes]"));
     }
     EXPECT_NE(error_of("[render]\nmotion_samples = 1\n"), "");
 }

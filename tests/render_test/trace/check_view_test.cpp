@@ -86,7 +86,7 @@ TEST(CheckView, AStrandOfACategoryHasItsColour) {
 TEST(CheckView, OneThatIsSeenAlongItselfIsDarkerByTheShareNamed) {
     const Ribbon ribbon;
     Hit hit;
-    hit.facing = Vec3f::UnitZ();
+    hit.strand.facing = Vec3f::UnitZ();
     Ray ray;
     ray.direction = Vec3f::UnitX();
     RayCounter counter{ribbon.geometry};

@@ -5,7 +5,7 @@
 
 #include "render_test/sampling/sampling.h"
 #include "render_test/scene/camera.h"
-#include "render_test/trace/path_tracer.h"
+#include "render_test/trace/integrator.h"
 #include "tests/render_test/make_curves.h"
 #include "tests/render_test/statistics.h"
 

@@ -148,8 +148,8 @@ TEST(MotionBlur, TheAxisIsThatOfTheTimeAndNotOfTheFirst) {
     ASSERT_TRUE(hit);
     // Slope 2 * 1/4 and radius 0.1 + 0.1 / 4.
     EXPECT_LT((hit->tangent - Vec3f(1, 0.5f, 0).normalized()).norm(), 1e-5f);
-    EXPECT_NEAR(hit->radius, 0.125f, 1e-6f);
-    EXPECT_NEAR(hit->h, 0, 1e-4f);
+    EXPECT_NEAR(hit->strand.radius, 0.125f, 1e-6f);
+    EXPECT_NEAR(hit->strand.h, 0, 1e-4f);
     EXPECT_FALSE(scene.intersect(ray_to({1, 0.5f, 9}, {1, 0.5f, 0}, 0)));
     EXPECT_FALSE(scene.occluded(ray_to({1, 0.5f, 9}, {1, 0.5f, 0}, 1)));
 }

@@ -149,7 +149,7 @@ TEST(Render, ProgressCountsTheRays) {
 TEST(Render, WiderLaterHairLeavesTheFirstScatteringAsItIs) {
     GroomSettings groom;
     const Image plain = groom.image();
-    groom.scene.later_hair = HairModel(widened(HairMaterial{}, 0.5f));
+    groom.scene.later_hair = HairModel(roughened(HairMaterial{}, 0.5f));
     EXPECT_FALSE(same_bits(plain.rgba, groom.image().rgba));
     groom.settings.path.max_depth = 1;
     const Image wide = groom.image();
