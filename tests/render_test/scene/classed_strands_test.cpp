@@ -50,9 +50,9 @@ TEST(ClassedStrands, AreHitAsThoseThatAreAlike) {
                     const auto one = a.intersect(ray), other = b.intersect(ray);
                     ASSERT_TRUE(one && other) << i << ' ' << k;
                     EXPECT_EQ(other->strand, i);
-                    EXPECT_EQ(other->id, classed.ids[i]);
-                    EXPECT_NEAR(other->along, ray.origin.z() / 8, 1e-4f);
-                    EXPECT_NEAR(other->along, one->along, 1e-4f);
+                    EXPECT_EQ(other->strand.id, classed.ids[i]);
+                    EXPECT_NEAR(other->strand.along, ray.origin.z() / 8, 1e-4f);
+                    EXPECT_NEAR(other->strand.along, one->along, 1e-4f);
                     EXPECT_NEAR(other->distance, one->distance, 1e-4f);
                     EXPECT_NEAR(other->h, one->h, 1e-3f);
                     EXPECT_NEAR(other->radius, one->radius, 1e-6f);

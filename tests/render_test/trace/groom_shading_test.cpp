@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_test/sampling/sampling.h"
+#include "render_test/trace/integrator.h"
 #include "tests/render_test/make_curves.h"
 #include "tests/render_test/statistics.h"
 

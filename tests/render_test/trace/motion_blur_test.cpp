@@ -120,13 +120,14 @@ TEST(MotionBlur, ARayOfSomeTimeMeetsTheSceneOfThatTime) {
                     // 1e-4 radii.
                     EXPECT_LT((a->position - b->position).norm(), 1e-3f);
                     EXPECT_LT((a->tangent - b->tangent).norm(), 1e-3f);
-                    EXPECT_NEAR(a->radius, b->radius, 1e-5f);
+                    EXPECT_NEAR(a->strand.radius, b->strand.radius, 1e-5f);
                     if (!strand) {
                         EXPECT_LT((a->normal - b->normal).norm(), 1e-5f);
                         continue;
                     }
-                    EXPECT_NEAR(a->h, b->h, 5e-3f);
-                    EXPECT_LT((a->offset - b->offset).norm(), 5e-3f * a->radius);
+                    EXPECT_NEAR(a->strand.h, b->strand.h, 5e-3f);
+                    EXPECT_LT((a->strand.offset - b->strand.offset).norm(),
+                              5e-3f * a->strand.radius);
                 }
             }
             EXPECT_GT(strands, 100);
