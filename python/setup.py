@@ -1,5 +1,5 @@
-"""Puts the shared library beside the package where it has been built; pyproject.toml has
-the rest. Without it the package looks for one when it is imported."""
+"""Copies the shared library, if it has been built, beside the package; the rest is in
+pyproject.toml. Without a copy the package looks for the library when it is first used."""
 
 import os
 import shutil
@@ -12,10 +12,10 @@ NAME = "liblancret_procedural.so"
 
 
 def built_library() -> Path | None:
-    """$LANCRET_LIBRARY, or what CMake left in the tree; none where nothing was built."""
+    """$LANCRET_LIBRARY, or the library in the build folders; None if there is none."""
     root = Path(__file__).resolve().parent.parent
-    said = os.environ.get("LANCRET_LIBRARY")
-    places = [Path(said)] if said else []
+    path = os.environ.get("LANCRET_LIBRARY")
+    places = [Path(path)] if path else []
     places += [root / "build" / preset / NAME for preset in ("release", "ci")]
     return next((place for place in places if place.is_file()), None)
 
@@ -31,7 +31,7 @@ class BuildWithLibrary(build_py):
 
 
 class WithLibrary(Distribution):
-    def has_ext_modules(self) -> bool:  # the wheel is of this machine's kind
+    def has_ext_modules(self) -> bool:  # so that the wheel is for this platform
         return built_library() is not None
 
 

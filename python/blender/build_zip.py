@@ -17,7 +17,11 @@ def contents(library):
     for folder, name in ((ADDON, ADDON.name), (PACKAGE, f"{ADDON.name}/lancret")):
         for file in sorted(folder.rglob("*")):
             inside = file.relative_to(folder)
-            if file.is_file() and "__pycache__" not in inside.parts and file.suffix != ".so":
+            if (
+                file.is_file()
+                and "__pycache__" not in inside.parts
+                and file.suffix != ".so"
+            ):
                 yield f"{name}/{inside.as_posix()}", file
     yield f"{ADDON.name}/lancret/liblancret_procedural.so", library
 

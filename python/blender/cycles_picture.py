@@ -149,7 +149,10 @@ def render(folder):
     settings = bpy.context.object.lancret
     if settings.error:
         raise SystemExit(settings.error)
-    print(f"strands {settings.all_strands}, ends within {settings.end_error:.3g} cm", flush=True)
+    print(
+        f"strands {settings.all_strands}, ends within {settings.end_error:.3g} cm",
+        flush=True,
+    )
     hair_material(settings.material)
     head(scene)
     light(scene)

@@ -32,7 +32,9 @@ def _missing(place: str, name: str) -> Callable[..., NoReturn]:
     """Replaces a function that the library lacks; raises when it is called."""
 
     def refuse(*_arguments: object) -> NoReturn:
-        raise LibraryNotFound(f"{place}: has no function {name}; is it an older version?")
+        raise LibraryNotFound(
+            f"{place}: has no function {name}; is it an older version?"
+        )
 
     return refuse
 

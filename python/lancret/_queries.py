@@ -29,7 +29,8 @@ def info_of(context: Context, groom: int) -> Info:
     values["box"] = tuple(struct.box[:3]), tuple(struct.box[3:])
     values["basis"] = _abi.BASIS_NAMES[struct.basis]
     values["shape"] = _abi.SHAPES[struct.shape]
-    values["cm_per_unit"] = float(str(np.float32(struct.cm_per_unit)))  # 0.1, not 0.10000000149
+    # The shortest decimal of the float32: 0.1, not 0.10000000149.
+    values["cm_per_unit"] = float(str(np.float32(struct.cm_per_unit)))
     return Info(**values)
 
 

@@ -130,7 +130,9 @@ def _bytes(value: str | os.PathLike[str] | None) -> bytes | None:
 
 def _strands(strands: Strands) -> _abi.Strands:
     if strands.basis not in _abi.BASES:
-        raise InputError(f"basis {strands.basis!r}: must be one of {', '.join(_abi.BASES)}")
+        raise InputError(
+            f"basis {strands.basis!r}: must be one of {', '.join(_abi.BASES)}"
+        )
     return _abi.Strands(
         basis=_abi.BASES[strands.basis],
         strands=len(strands.counts),

@@ -69,7 +69,9 @@ def picture(
         axis.set_title(name)
         axis.set_xlabel("xyz"[columns[0]])
         axis.set_ylabel("xyz"[columns[1]])
-    pyplot.close(figure)  # else a notebook shows it twice, as it shows the cell's result
+    pyplot.close(
+        figure
+    )  # else a notebook shows it twice, as it shows the cell's result
     return figure
 
 

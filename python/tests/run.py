@@ -17,7 +17,9 @@ def main() -> int:
     if PYTHON.is_file() and Path(sys.prefix).resolve() != PYTHON.parents[1].resolve():
         os.execv(PYTHON, [str(PYTHON), "-B", __file__])
     if importlib.util.find_spec("numpy") is None:
-        print(f"skipped: {sys.executable} has no numpy; scripts/test-python installs it")
+        print(
+            f"skipped: {sys.executable} has no numpy; scripts/test-python installs it"
+        )
         return SKIPPED
     root = Path(__file__).resolve().parent.parent
     sys.path.insert(0, str(root))

@@ -74,5 +74,7 @@ class Cubic(unittest.TestCase):
             (5, "bezier"),
             (3, "bezier"),
         ):
-            with self.assertRaisesRegex(InputError, f"{basis} curve cannot have {count} points"):
+            with self.assertRaisesRegex(
+                InputError, f"{basis} curve cannot have {count} points"
+            ):
                 cubic.segments_of(count, basis)

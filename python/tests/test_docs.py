@@ -37,7 +37,9 @@ class Docs(WithFolder):
 
     def test_grooms(self):
         names, output = self.run_examples(ROOT, "Open", "Strands", "Several")
-        self.assertIn("Check(strands=5000, failed=0, outside=0", "".join(output.values()))
+        self.assertIn(
+            "Check(strands=5000, failed=0, outside=0", "".join(output.values())
+        )
         self.assertIsInstance(names["hair"], lancret.Curves)
         self.assertEqual(len(names["guides"]), 10)
 

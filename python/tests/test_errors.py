@@ -118,7 +118,9 @@ class Input(unittest.TestCase):
         ):
             with self.assertRaisesRegex(lancret.InputError, message):
                 lancret.Strands(points, counts)
-        with self.assertRaisesRegex(lancret.InputError, "bspline strand needs 4 or more"):
+        with self.assertRaisesRegex(
+            lancret.InputError, "bspline strand needs 4 or more"
+        ):
             lancret.Strands(np.zeros((3, 3)), [3], basis="bspline")
         with self.assertRaisesRegex(lancret.InputError, "uvs: shape is"):
             lancret.Mesh(np.zeros((3, 3)), [[0, 1, 2]], uvs=np.zeros((3, 2)))

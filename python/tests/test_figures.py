@@ -67,7 +67,10 @@ class Figures(unittest.TestCase):
             guide = hair.guides[:, 0]
             for found, expected in ((curvature, bends), (torsion, guides[:, :, 0])):
                 np.testing.assert_allclose(
-                    found, np.repeat(expected[guide], each, axis=1), rtol=1e-4, atol=1e-4
+                    found,
+                    np.repeat(expected[guide], each, axis=1),
+                    rtol=1e-4,
+                    atol=1e-4,
                 )
 
     def test_that_do_not_exist_are_refused(self):

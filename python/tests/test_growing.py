@@ -73,7 +73,9 @@ class Growing(unittest.TestCase):
         self.assertEqual(
             set(with_two), {"counts", "positions", "lengths", "guides", "weights"}
         )
-        with self.assertRaisesRegex(lancret.CallError, "'colour': must be one of tangents"):
+        with self.assertRaisesRegex(
+            lancret.CallError, "'colour': must be one of tangents"
+        ):
             self.groom.expand(0, attributes=("colour",))
 
     def test_attributes_have_the_documented_values(self):

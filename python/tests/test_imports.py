@@ -44,7 +44,8 @@ def graph(package: Path) -> dict[str, set[str]]:
     names = set(trees)
     packages = {name.rpartition(".")[0] for name in names} | {package.name}
     return {
-        name: imports(name, tree, names, name in packages) for name, tree in trees.items()
+        name: imports(name, tree, names, name in packages)
+        for name, tree in trees.items()
     }
 
 

@@ -61,14 +61,18 @@ class Layout(WithFolder):
                 )
             self.assertEqual(fields, [f for f, *_ in _abi.STRUCTS[name]._fields_], name)
         functions = set(re.findall(r"LANCRET_API[^;]*?\b(lancret_\w+)\(", text))
-        self.assertEqual(functions - set(_abi.FUNCTIONS), {"lancret_groom_expand_chunk"})
+        self.assertEqual(
+            functions - set(_abi.FUNCTIONS), {"lancret_groom_expand_chunk"}
+        )
         self.assertEqual(set(_abi.FUNCTIONS) - functions, set())
 
     def test_constants_are_those_of_the_header(self):
         text = HEADER.read_text()
         constants = dict(re.findall(r"LANCRET_(\w+) = (\d+)", text))
         for name, number in (_abi.BASES | _abi.ATTRIBUTES).items():
-            self.assertEqual(int(constants[name.upper().replace("-", "_")]), number, name)
+            self.assertEqual(
+                int(constants[name.upper().replace("-", "_")]), number, name
+            )
         for name, number in _abi.FIGURES.items():
             self.assertEqual(int(constants[name.upper()]), number, name)
         shapes = ("ANY_SHAPE", "FLAT", "ROUND", "RIBBON")

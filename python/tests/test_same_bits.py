@@ -39,7 +39,9 @@ class SameBits(WithFolder):
             with self.subTest(text=text):
                 path = self.file("groom.toml", text)
                 expected = self.control_points(path)
-                with lancret.open(path, chunk_strands=70, parameters=EQUAL_COUNTS) as groom:
+                with lancret.open(
+                    path, chunk_strands=70, parameters=EQUAL_COUNTS
+                ) as groom:
                     hair = groom.expand()
                 order = np.argsort(hair.ids)
                 ours = np.concatenate([hair.strand(i) for i in order])

@@ -199,7 +199,9 @@ class Widths(unittest.TestCase):
         curves.GetWidthsAttr().Clear()
         self.assertEqual(usd.read(stage).widths.tolist(), [0.25] * 4)
         primvars.GetPrimvar("widths").Set([float("nan")])
-        with self.assertRaisesRegex(InputError, ":/hair: primvars:widths contains a number"):
+        with self.assertRaisesRegex(
+            InputError, ":/hair: primvars:widths contains a number"
+        ):
             usd.read(stage)
 
     def test_may_be_inherited(self):

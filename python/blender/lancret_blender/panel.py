@@ -56,9 +56,13 @@ class OBJECT_PT_lancret(bpy.types.Panel):
             box.label(text=line, icon="BLANK1" if number else "ERROR")
 
     def _figures(self, column: Any, settings: Any) -> None:
-        column.label(text=f"{settings.strands:,} of {settings.all_strands:,} strands shown")
+        column.label(
+            text=f"{settings.strands:,} of {settings.all_strands:,} strands shown"
+        )
         if settings.last_frame > settings.first_frame:
-            column.label(text=f"Moves from frame {settings.first_frame} to {settings.last_frame}")
+            column.label(
+                text=f"Moves from frame {settings.first_frame} to {settings.last_frame}"
+            )
         if settings.end_error > 0:
             column.label(text=f"Error at the ends: at most {settings.end_error:.2g} cm")
 

@@ -19,7 +19,11 @@ from . import deferred
 
 _BLENDS = (
     ("GROOM", "From the groom", "The blend that the groom sets; detail if it sets none"),
-    ("detail", "Detail", "Curls of the guide with the largest weight, on a blended spine"),
+    (
+        "detail",
+        "Detail",
+        "Curls of the guide with the largest weight, on a blended spine",
+    ),
     ("option1", "Option 1", "Weighted mean of curvature and torsion"),
     ("option1-anchored", "Option 1, anchored", "Option 1, anchored to the blended spine"),
     ("option2", "Option 2", "Option 2 of docs/interpolation.md"),
@@ -89,9 +93,7 @@ class LancretSettings(bpy.types.PropertyGroup):
         update=_changed,
     )
 
-    count: _count(
-        "Strands", "Number of strands in renders; 0: the groom's value", min=0
-    )
+    count: _count("Strands", "Number of strands in renders; 0: the groom's value", min=0)
     viewport: _number(
         "Viewport share",
         "Fraction of the strands shown in the viewport; fewer strands are drawn wider",
@@ -145,7 +147,6 @@ class LancretSettings(bpy.types.PropertyGroup):
     first_frame: IntProperty()
     last_frame: IntProperty()
     end_error: FloatProperty(name="Error at the ends, cm")
-
 
 
 def register() -> None:

@@ -1,8 +1,10 @@
 """Runs the tests inside Blender:
 
-    blender -b --factory-startup --python-exit-code 1 --python run.py -- [unittest's own]
+    blender -b --factory-startup --python-exit-code 1 --python run.py -- [names of tests]
 
-or with any Python that has the module `bpy`.
+or in a Python with the module `bpy` (scripts/bpy-python):
+
+    python run.py [-- names of tests]
 """
 
 import sys

@@ -1,4 +1,4 @@
-"""What the tests share: an empty scene with the add-on, a small groom, reading back."""
+"""Helpers of the tests: an empty scene with the add-on, a small groom, reading back."""
 
 import os
 import subprocess
@@ -43,7 +43,7 @@ class InBlender(unittest.TestCase):
         self.scene = bpy.context.scene
 
     def add(self, path=None):
-        """A Lancret object of a file, the only one of its kind."""
+        """Adds a Lancret object for a file (default: the small groom)."""
         bpy.ops.object.lancret_add(filepath=str(path or self.groom))
         return bpy.context.object
 
@@ -64,7 +64,7 @@ class InBlender(unittest.TestCase):
 
 
 def evaluated(obj):
-    """Points [n][3], radii [n] and counts of what Blender draws of an object."""
+    """Points [n][3], radii [n] and counts of the curves that Blender draws for an object."""
     curves = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
     points = np.empty((len(curves.points), 3), np.float32)
     curves.attributes["position"].data.foreach_get("vector", points.ravel())
@@ -75,11 +75,12 @@ def evaluated(obj):
     return points, radii, np.diff(offsets)
 
 
-def of_the_abi(path, density=0.0, times=None, unit=100.0, parameters=None, **how):
-    """The same of Lancret, chunk by chunk, strand by strand, in Blender's axes, y up."""
+def of_the_abi(path, density=0.0, times=None, unit=100.0, parameters=None, **options):
+    """The same from Lancret, chunk by chunk, strand by strand, in Blender's axes, for a
+    groom with Y up."""
     points, radii, counts = [], [], []
-    alike = {"strands.adapt": False}
-    with lancret().open(path, parameters=alike | (parameters or {}), **how) as groom:
+    values = {"strands.adapt": False} | (parameters or {})
+    with lancret().open(path, parameters=values, **options) as groom:
         for chunk in groom.chunks:
             curves = groom.expand(
                 chunk, times, strands.BASIS, density, attributes=(), unit=unit
@@ -98,7 +99,7 @@ def same_bits(a, b):
 
 
 def assert_same(test, found, expected):
-    """Points and radii to the bit, -0 and 0 included, and counts."""
+    """Compares counts, and points and radii bit for bit."""
     test.assertGreater(len(expected[2]), 0)
     test.assertTrue(np.array_equal(found[2], expected[2]), "counts")
     test.assertTrue(same_bits(found[0], expected[0]), "positions")
@@ -106,7 +107,7 @@ def assert_same(test, found, expected):
 
 
 def lancret_command():
-    """The command-line tool, to make caches with; none: the test is skipped."""
+    """The command-line tool, to make caches; skips the test if there is none."""
     command = os.environ.get("LANCRET_COMMAND")
     if not command:
         raise unittest.SkipTest("LANCRET_COMMAND does not name the lancret command")

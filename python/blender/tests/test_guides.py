@@ -26,7 +26,7 @@ def legacy_curve(name, kind, strands_of_points):
 
 
 def fur(side=5, points=6, length=0.1):
-    """Strands that bend, on a square of the plane z = 0."""
+    """Bent strands on a square in the plane z = 0."""
     along = np.linspace(0, 1, points)
     bent = np.stack([0.3 * along**2, 0 * along, along], -1) * length
     return [
@@ -46,19 +46,19 @@ def graph():
 
 
 def select(active, *others):
-    for one in bpy.context.selected_objects:
-        one.select_set(False)
-    for one in (active, *others):
-        one.select_set(True)
+    for obj in bpy.context.selected_objects:
+        obj.select_set(False)
+    for obj in (active, *others):
+        obj.select_set(True)
     bpy.context.view_layer.objects.active = active
     bpy.context.view_layer.update()
 
 
 class Guides(InBlender):
     def test_of_polylines_are_their_points(self):
-        given = fur()
-        points, counts = scene_guides.read(legacy_curve("fur", "POLY", given), graph())
-        self.assertTrue(same_bits(points, np.concatenate(given)))
+        expected = fur()
+        points, counts = scene_guides.read(legacy_curve("fur", "POLY", expected), graph())
+        self.assertTrue(same_bits(points, np.concatenate(expected)))
         self.assertEqual(counts.tolist(), [6] * 25)
 
     def test_of_hair_curves_are_their_points(self):
@@ -81,7 +81,7 @@ class Guides(InBlender):
         self.assertLess(np.abs(points[:, 2] - (1 - (1 - t) ** 3)).max(), 1e-6)
 
     def test_of_nurbs_are_where_blender_draws_them(self):
-        given = [
+        control_points = [
             (0, 0, 0),
             (0, 0, 1),
             (1, 0, 2),
@@ -93,7 +93,7 @@ class Guides(InBlender):
         for ends, bezier, order, count in itertools.product(
             (False, True), (False, True), (3, 4, 5), (5, 6, 7)
         ):
-            obj = legacy_curve("nurbs", "NURBS", [given[:count]])
+            obj = legacy_curve("nurbs", "NURBS", [control_points[:count]])
             spline = obj.data.splines[0]
             spline.use_endpoint_u, spline.use_bezier_u = ends, bezier
             spline.order_u = order
@@ -101,7 +101,12 @@ class Guides(InBlender):
             points, _ = scene_guides.read(obj, graph())
             mesh = obj.to_mesh()
             drawn = np.array([vertex.co for vertex in mesh.vertices])
-            if (ends, bezier, order, count) == (False, True, 5, 5):  # no knot in between
+            if (ends, bezier, order, count) == (
+                False,
+                True,
+                5,
+                5,
+            ):  # no span of positive length
                 self.assertEqual(len(points), 0)
                 continue
             middle = (drawn[1:] + drawn[:-1]) / 2
@@ -113,7 +118,7 @@ class Guides(InBlender):
                 self.assertLess(np.abs(points[[0, -1]] - drawn[[0, -1]]).max(), 1e-5)
             obj.to_mesh_clear()
 
-    def test_that_go_round_or_have_one_point_are_left_out(self):
+    def test_that_are_cyclic_or_have_one_point_are_skipped(self):
         obj = legacy_curve("some", "POLY", [fur()[0], fur()[1], fur()[2][:1]])
         obj.data.splines[1].use_cyclic_u = True
         self.assertEqual(scene_guides.read(obj, graph())[1].tolist(), [6])
@@ -130,7 +135,7 @@ class Guides(InBlender):
         self.assertLess(np.abs(roots[:, 2]).max(), 1e-5)
         self.assertLess(np.abs(tips[:, 2] - 0.1).max(), 0.01)
 
-    def test_and_scalp_of_the_selection_grow_hair_between_them(self):
+    def test_and_scalp_are_taken_from_the_selection(self):
         guides, scalp = legacy_curve("fur", "POLY", fur()), plane()
         scalp.location = guides.location = (1, 2, 3)
         select(scalp, guides)
@@ -148,12 +153,12 @@ class Guides(InBlender):
         tips = points[np.cumsum(counts) - 1]
         self.assertLess(np.abs(roots[:, 2]).max(), 1e-5)
         self.assertLess(np.abs(roots[:, :2]).max(), 0.121)
-        # Guides are 0.1 high and lean 0.03; fitted helices are within a tenth of that.
+        # Guides are 0.1 high and lean by 0.03; fitted helices are within 10 % of that.
         self.assertLess(np.abs(tips - roots - [0.03, 0, 0.1]).max(), 0.01)
         place = np.array(obj.matrix_world.translation)
         self.assertLess(np.abs(place - (1, 2, 3)).max(), 1e-6)
 
-    def test_are_handed_on_where_they_stand(self):
+    def test_have_the_transform_of_their_object(self):
         guides = legacy_curve("fur", "POLY", fur())
         guides.location, guides.rotation_euler = (0, 0, 0.5), (0, 0, np.pi / 2)
         obj = self.add()
@@ -166,7 +171,7 @@ class Guides(InBlender):
         self.assertLess(np.abs(source.strands.points - turned).max(), 1e-6)
         self.assertEqual((source.strands.up, source.strands.metres_per_unit), ("Z", 1))
 
-    def test_whose_nodes_and_modifier_are_gone_are_drawn_after_an_update(self):
+    def test_whose_nodes_or_modifier_were_deleted_are_drawn_after_an_update(self):
         obj = self.add()
         before = evaluated(obj)
         obj.modifiers.clear()
@@ -181,18 +186,18 @@ class Guides(InBlender):
 
 
 class Scalp(InBlender):
-    def test_of_a_file_is_not_what_happens_to_be_selected(self):
+    def test_of_a_file_is_not_taken_from_the_selection(self):
         select(plane())
         obj = self.add()
         self.assertIsNone(obj.lancret.scalp)
         self.assertIsNone(obj.parent)
         self.assertEqual(obj.lancret.error, "")
 
-    def test_of_a_file_is_given_in_the_files_axes_and_units(self):
+    def test_of_a_file_is_in_the_files_axes_and_units(self):
         for mirror in (1, -1):
-            self.look_at_the_scalp(mirror)
+            self.check_scalp(mirror)
 
-    def look_at_the_scalp(self, mirror):
+    def check_scalp(self, mirror):
         obj, scalp = self.add(), plane()
         scalp.location, scalp.scale = (0, 0, 0.2), (mirror, 1, 1)
         obj.lancret.scalp = scalp
@@ -205,21 +210,21 @@ class Scalp(InBlender):
         corners = mesh.positions[mesh.corners[0]]
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         self.assertGreater(normal[1], 0)
-        # Its texture coordinates are places on it, from corner to corner of its square.
+        # The texture coordinates go from corner to corner of the square.
         expected = mesh.positions[mesh.corners][..., [0, 2]] / 24 * [mirror, -1] + 0.5
         self.assertLess(np.abs(mesh.uvs - expected).max(), 1e-6)
 
 
 class Ends(InBlender):
     def test_are_within_the_tolerance(self):
-        """Of the made groom, whose curls are wound as tightly as hair is."""
+        """The made groom has curls as tight as real hair."""
         obj = self.add(EXAMPLES / "made_groom.toml")
         obj.lancret.viewport, obj.lancret.count = 1, 2000
         self.update(obj)
         self.assertIn("tolerance = 0.06 ", (EXAMPLES / "made_groom.toml").read_text())
         self.assertTrue(0 < obj.lancret.end_error < 0.06, obj.lancret.end_error)
 
-    def test_are_the_curves_own_but_for_the_error_that_is_told(self):
+    def test_differ_from_the_curves_by_at_most_the_reported_error(self):
         with lancret().open(self.groom) as groom:
             curves = groom.expand(basis=strands.BASIS, unit=1)
         drawn = strands.drawn(curves, "Y", (), 24)

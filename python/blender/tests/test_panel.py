@@ -5,7 +5,7 @@ from lancret_blender import deferred, panel
 
 
 class Layout:
-    """Stands in for Blender's: keeps texts, and asks for each property that is drawn."""
+    """A mock of Blender's layout: collects texts and the names of drawn properties."""
 
     def __init__(self, texts):
         self.texts = texts
@@ -47,22 +47,22 @@ class Panel(InBlender):
             self.assertIn(name, texts)
         self.assertIn(f"{obj.lancret.strands} of 400 strands shown", texts)
 
-    def test_shows_what_is_at_fault(self):
+    def test_shows_errors(self):
         obj = self.add(self.folder / "none.toml")
         self.assertTrue(obj.lancret.error)
         self.assertIn(obj.lancret.error, self.texts())
 
-    def test_is_not_there_for_other_objects(self):
+    def test_is_hidden_for_other_objects(self):
         bpy.ops.mesh.primitive_plane_add()
         self.assertFalse(panel.OBJECT_PT_lancret.poll(bpy.context))
 
 
 class Live(InBlender):
-    def test_update_of_the_timer_grows_anew(self):
+    def test_update_of_the_timer_regrows(self):
         obj = self.add()
         obj.lancret.count = 150
         self.assertEqual(obj.lancret.all_strands, 400)
-        deferred._names.update((obj.name, "another that is gone"))
+        deferred._names.update((obj.name, "a deleted object"))
         self.assertIsNone(deferred._tick())
         self.assertEqual(obj.lancret.all_strands, 150)
         self.assertFalse(deferred._names)

@@ -25,13 +25,13 @@ def alpha_of(path):
 
 class Render(InBlender):
     def seen(self):
-        """A list that gets what each frame is rendered of, in the render itself."""
+        """A list that each render appends to, per frame: the frame and the strands."""
         found = []
 
         def look(scene, *_):
-            for one in scene.objects:
-                if one.type == "CURVES":
-                    found.append((scene.frame_current, *self.drawn(one)))
+            for obj in scene.objects:
+                if obj.type == "CURVES":
+                    found.append((scene.frame_current, *self.drawn(obj)))
 
         bpy.app.handlers.render_post.append(look)
         self.addCleanup(bpy.app.handlers.render_post.remove, look)
@@ -56,7 +56,7 @@ class Render(InBlender):
         first = np.concatenate(each)
         self.assertTrue(np.array_equal(edges, np.stack([first, first + 1], -1)))
 
-    def test_has_all_strands_and_the_viewport_its_own_again(self):
+    def test_has_all_strands_and_restores_the_viewport(self):
         obj = self.add()
         before = evaluated(obj)
         meshes = len(bpy.data.meshes)
@@ -69,7 +69,7 @@ class Render(InBlender):
         self.assertEqual(len(bpy.data.meshes), meshes)
         self.assertFalse(render_state.rendering())
 
-    def test_draws_what_the_viewport_does_not(self):
+    def test_draws_strands_that_the_viewport_does_not_show(self):
         obj = self.add()
         obj.lancret.viewport = 0.0025
         obj.lancret.root_width = obj.lancret.tip_width = 0.4
@@ -94,11 +94,11 @@ class Render(InBlender):
         self.scene.camera.rotation_euler = (np.pi / 2, 0, 0)
 
     def covered(self):
-        """The share of the picture that hair covers."""
+        """Renders and returns the fraction of the picture that hair covers."""
         bpy.ops.render.render(write_still=True)
         return float(alpha_of(self.scene.render.filepath).mean())
 
-    def test_has_no_hair_where_the_groom_is_at_fault(self):
+    def test_has_no_hair_if_the_groom_has_an_error(self):
         obj = self.add()
         before = evaluated(obj)
         self.groom.write_text("[strands]\ncount = 'many'\n")
@@ -117,7 +117,7 @@ class Render(InBlender):
         bpy.ops.render.render(animation=True)
         return seen
 
-    def test_keeps_what_was_at_fault_in_a_frame_until_an_update(self):
+    def test_keeps_the_error_of_a_frame_until_an_update(self):
         obj = self.add()
         text = self.groom.read_text()
 
@@ -135,7 +135,7 @@ class Render(InBlender):
         self.update(obj)
         self.assertEqual(obj.lancret.render_error, "")
 
-    def test_leaves_the_viewport_of_a_copy_and_of_its_original(self):
+    def test_restores_the_viewport_of_a_copy_and_of_its_original(self):
         first = self.add()
         before = evaluated(first)
         bpy.ops.object.duplicate()
@@ -144,27 +144,27 @@ class Render(InBlender):
         seen = self.seen()
         bpy.ops.render.render()
         self.assertEqual(len(seen), 2)
-        for one in (first, second):
-            assert_same(self, evaluated(one), before)
+        for obj in (first, second):
+            assert_same(self, evaluated(obj), before)
         for _, *found in seen:
             self.assert_whole(found, of_the_abi(self.groom))
         self.assertNotEqual(first.lancret.points, second.lancret.points)
 
-    def test_leaves_the_viewport_of_a_copied_scene(self):
+    def test_restores_the_viewport_of_a_copied_scene(self):
         first = self.add()
         before = evaluated(first)
         bpy.ops.scene.new(type="FULL_COPY")
         self.scene = bpy.context.scene
         self.small_render()
         bpy.ops.render.render(scene=self.scene.name)
-        copy = next(one for one in self.scene.objects if one.type == "CURVES")
+        copy = next(obj for obj in self.scene.objects if obj.type == "CURVES")
         self.assertEqual(evaluated(copy)[2].tolist(), before[2].tolist())
         self.assertEqual(
             len(first.lancret.points.data.vertices),
             len(copy.lancret.points.data.vertices),
         )
 
-    def test_fills_the_viewport_where_its_points_were_deleted(self):
+    def test_fills_the_viewport_if_its_points_were_deleted(self):
         obj = self.add()
         before = evaluated(obj)
         bpy.data.objects.remove(obj.lancret.points)
@@ -194,11 +194,10 @@ class Render(InBlender):
         finally:
             bpy.app.handlers.render_post.remove(look)
         self.assert_whole(found[0], of_the_abi(self.groom))
-        self.assertEqual(
-            len(found[1][0]), len(evaluated(obj)[0])
-        )  # not seen, not grown
+        # A hidden object is not regrown.
+        self.assertEqual(len(found[1][0]), len(evaluated(obj)[0]))
 
-    def test_grows_nothing_of_a_hidden_collection(self):
+    def test_does_not_regrow_hidden_collections(self):
         obj = self.add()
         collection = bpy.data.collections.new("hidden")
         self.scene.collection.children.link(collection)
@@ -218,18 +217,18 @@ class Render(InBlender):
         obj.parent = None
         return obj, curves
 
-    def test_is_of_the_scenes_unit_at_once(self):
+    def test_uses_a_changed_unit_at_once(self):
         obj, _ = self.add_between_curves()
         self.small_render()
         self.scene.unit_settings.scale_length = 0.01
         seen = self.seen()
         bpy.ops.render.render()
-        # The guides' points reach from z = 0 to 0.1 of any unit; helices fit them to 1 %.
+        # The guides reach from z = 0 to 0.1 in any unit; helices fit them within 1 %.
         hair = [points for _, points, *_ in seen if len(points)]
         self.assertEqual(obj.lancret.render_error, "")
         self.assertAlmostEqual(float(np.ptp(hair[0][:, 2])), 0.1, delta=0.001)
 
-    def test_has_guides_where_they_are_in_each_frame(self):
+    def test_uses_the_position_of_guides_in_each_frame(self):
         obj, curves = self.add_between_curves()
         for frame, z in ((1, 0), (3, 0.5)):
             curves.location.z = z
@@ -240,11 +239,11 @@ class Render(InBlender):
             places.append(curves.location.z)
         self.assertEqual(len(set(places)), 3, places)
         self.scene.frame_set(1)
-        seen = [one for one in self.animate(1, 4) if len(one[1])]
+        seen = [frame for frame in self.animate(1, 4) if len(frame[1])]
         lowest = [float(points[:, 2].min()) for _, points, *_ in seen]
         self.assertEqual([frame for frame, *_ in seen], [1, 2, 3, 4])
         for found, expected in zip(lowest, places):
-            # Roots are the guides' own, in float.
+            # Children have the guides' roots, in float.
             self.assertAlmostEqual(found, expected, delta=2**-23)
 
 
@@ -253,7 +252,7 @@ class Docs(InBlender):
         page = Path(__file__).resolve().parents[3] / "docs" / "blender.md"
         code = re.search(r"^```python\n(.*?)^```", page.read_text(), re.M | re.S)[1]
         enable = 'bpy.ops.preferences.addon_enable(module="lancret_blender")\n'
-        self.assertIn(enable, code)  # it is enabled already
+        self.assertIn(enable, code)  # removed, because the add-on is already enabled
         code = code.replace(enable, "").replace("/path/of/groom.toml", str(self.groom))
         self.small_render()
         bpy.context.scene.render.engine = "BLENDER_WORKBENCH"
@@ -270,7 +269,7 @@ class Cache(InBlender):
         self.cache = self.folder / "moving.h5"
         simulate(moving, "1-4", self.cache)
 
-    def test_is_grown_anew_at_another_frame(self):
+    def test_is_regrown_when_the_frame_changes(self):
         self.scene.frame_set(1)
         obj = self.add(self.cache)
         obj.lancret.viewport = 1
@@ -286,7 +285,7 @@ class Cache(InBlender):
         self.scene.frame_set(2, subframe=0.5)
         expected = of_the_abi(self.cache, density=1, times=2.5)
         assert_same(self, evaluated(obj), expected)
-        self.scene.frame_set(40)  # stands still after its last
+        self.scene.frame_set(40)  # the last frame is held
         assert_same(self, evaluated(obj), of_the_abi(self.cache, density=1, times=4))
 
     def test_is_rendered_at_each_frame_of_an_animation(self):
@@ -296,7 +295,7 @@ class Cache(InBlender):
         self.scene.render.filepath = str(self.folder / "frame")
         seen = Render.seen(self)
         bpy.ops.render.render(animation=True)
-        self.assertEqual([one[0] for one in seen], [2, 3, 4])
+        self.assertEqual([frame for frame, *_ in seen], [2, 3, 4])
         for frame, *found in seen:
             Render.assert_whole(self, found, of_the_abi(self.cache, times=frame))
         self.assertEqual(len(evaluated(obj)[2]), obj.lancret.strands)
@@ -318,7 +317,7 @@ class Cache(InBlender):
         expected = of_the_abi(self.cache, density=1, times=3)
         assert_same(self, (*found[:2], expected[2]), expected)
 
-    def test_is_of_the_scene_that_changes_its_frame(self):
+    def test_uses_the_frame_of_the_scene_that_changed(self):
         obj = self.add(self.cache)
         obj.lancret.viewport = 1
         self.update(obj)
@@ -330,7 +329,7 @@ class Cache(InBlender):
         expected = of_the_abi(self.cache, density=1, times=4)
         assert_same(self, (*found[:2], expected[2]), expected)
 
-    def test_is_blurred_about_the_shutters_middle(self):
+    def test_is_blurred_around_the_middle_of_the_shutter(self):
         self.add(self.cache)
         self.scene.render.use_motion_blur = True
         self.scene.render.motion_blur_shutter = 0.5
@@ -372,8 +371,8 @@ class Cache(InBlender):
         mesh.attributes["velocity"].data.foreach_get("vector", rates.ravel())
         before, after = (of_the_abi(self.cache, times=t)[0] for t in (1.75, 2.25))
         moved = (after - before).astype(np.float64)
-        # Frames a second, over the half frame between. Floats of coordinates below 0.5 are
-        # off by 2^-26 each, two of them in a difference, rounded once more by the rate.
+        # 24 frames per second, over half a frame. Floats of coordinates below 0.5 have an
+        # error of 2^-26 each; a difference has two, and the rate rounds once more.
         exact = moved * 24 / 0.5
         self.assertLess(np.abs(rates - exact).max(), 48 * 4 * 2**-26)
         self.assertGreater(np.abs(rates).max(), 0.1)

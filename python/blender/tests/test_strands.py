@@ -9,7 +9,7 @@ from lancret_blender.package import lancret
 
 
 class StrandsInBlender(InBlender):
-    def test_are_the_abis_bit_for_bit(self):
+    def test_equal_those_of_the_abi_bit_for_bit(self):
         obj = self.add()
         obj.lancret.viewport = 1
         self.update(obj)
@@ -25,10 +25,15 @@ class StrandsInBlender(InBlender):
         self.update(obj)
         assert_same(self, evaluated(obj), of_the_abi(self.groom, density=1, unit=1))
 
-    def test_follow_the_panel(self):
+    def test_use_the_settings_of_the_panel(self):
         obj = self.add()
         settings = obj.lancret
-        settings.viewport, settings.count, settings.blend, settings.seed = 1, 150, "nearest", 7
+        settings.viewport, settings.count, settings.blend, settings.seed = (
+            1,
+            150,
+            "nearest",
+            7,
+        )
         settings.neighbours, settings.root_width, settings.tip_width = 2, 0.05, 0.01
         settings.chunk, settings.max_error = 64, 0.2
         self.update(obj)
@@ -49,7 +54,7 @@ class StrandsInBlender(InBlender):
         self.assertEqual(len(expected[2]), 150)
         assert_same(self, evaluated(obj), expected)
 
-    def test_in_the_viewport_are_some_of_all(self):
+    def test_in_the_viewport_are_a_subset(self):
         obj = self.add()
         obj.lancret.viewport = 0.2
         self.update(obj)
@@ -62,7 +67,7 @@ class StrandsInBlender(InBlender):
         for strand in np.split(points, np.cumsum(counts)[:-1]):
             self.assertIn(np.ascontiguousarray(strand).tobytes(), whole)
 
-    def test_keep_one_groom_an_object_open(self):
+    def test_keep_one_groom_open_per_object(self):
         first = self.add()
         for seed in range(3):
             first.lancret.seed = seed
@@ -74,7 +79,9 @@ class StrandsInBlender(InBlender):
         self.assertIs(groom_cache._grooms[first.name][1], groom)
         bpy.data.objects.remove(first)
         second = self.add()
-        self.assertEqual(set(groom_cache._grooms), {second.name})  # forgot what is not there
+        self.assertEqual(
+            set(groom_cache._grooms), {second.name}
+        )  # the deleted object's was closed
         self.assertTrue(groom.closed)
 
     def test_have_the_material_of_the_panel(self):
@@ -83,7 +90,7 @@ class StrandsInBlender(InBlender):
         obj.lancret.material = other
         self.update(obj)
         curves = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-        self.assertEqual([one.name for one in curves.materials], ["other"])
+        self.assertEqual([material.name for material in curves.materials], ["other"])
 
     def test_of_a_copy_are_its_own(self):
         first = self.add()
@@ -96,10 +103,15 @@ class StrandsInBlender(InBlender):
         self.assertEqual(len(evaluated(first)[2]), first.lancret.strands)
         self.assertNotEqual(first.lancret.strands, 100)
 
-    def test_stay_where_they_are_when_the_file_is_read_again(self):
+    def test_survive_saving_and_loading(self):
         obj = self.add()
         settings = obj.lancret
-        settings.count, settings.blend, settings.seed, settings.viewport = 300, "bishop", 3, 0.5
+        settings.count, settings.blend, settings.seed, settings.viewport = (
+            300,
+            "bishop",
+            3,
+            0.5,
+        )
         self.update(obj)
         before, name = evaluated(obj), obj.name
         blend = str(self.folder / "kept.blend")
@@ -110,14 +122,16 @@ class StrandsInBlender(InBlender):
         obj = bpy.data.objects[name]
         settings = obj.lancret
         self.assertEqual(settings.file, str(self.groom))
-        self.assertEqual((settings.count, settings.blend, settings.seed), (300, "bishop", 3))
+        self.assertEqual(
+            (settings.count, settings.blend, settings.seed), (300, "bishop", 3)
+        )
         assert_same(self, evaluated(obj), before)
         self.update(obj)
         assert_same(self, evaluated(obj), before)
 
 
 class Axes(InBlender):
-    def test_go_there_and_back(self):
+    def test_have_an_inverse(self):
         points = np.arange(6, dtype=np.float32).reshape(2, 3) + 1
         for up, axis in (("X", 0), ("Y", 1), ("Z", 2)):
             turned = strands.to_blender(points, up)
@@ -128,7 +142,7 @@ class Axes(InBlender):
 
 
 class Faults(InBlender):
-    def test_come_to_the_panel_and_go(self):
+    def test_appear_in_the_panel_until_corrected(self):
         obj = self.add()
         good = evaluated(obj)
         self.groom.write_text(GROOM.replace("count = 400", "count = -4"))
@@ -140,17 +154,17 @@ class Faults(InBlender):
         self.update(obj)
         self.assertEqual(obj.lancret.error, "")
 
-    def test_of_a_file_that_is_not_there_name_it(self):
+    def test_of_a_missing_file_name_it(self):
         obj = self.add(self.folder / "none.toml")
         self.assertIn("none.toml", obj.lancret.error)
 
-    def test_of_no_guides_say_what_to_do(self):
+    def test_of_missing_guides_explain_what_to_do(self):
         obj = self.add()
         obj.lancret.source = "SCENE"
         self.update(obj)
         self.assertIn("select curves", obj.lancret.error)
 
-    def test_of_a_missing_library_are_not_of_the_package(self):
+    def test_of_a_missing_library_do_not_blame_the_package(self):
         obj = self.add()
 
         def gone():
@@ -160,6 +174,6 @@ class Faults(InBlender):
             self.update(obj)
         self.assertEqual(obj.lancret.error, "no library; tried: /nowhere")
 
-    def test_stop_the_add_operator_without_guides_and_file(self):
+    def test_cancel_the_add_operator_without_guides_and_file(self):
         with self.assertRaisesRegex(RuntimeError, "Select curves"):
             bpy.ops.object.lancret_add()

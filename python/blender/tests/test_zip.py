@@ -20,7 +20,7 @@ print(found.version())
 
 
 class Zip(InBlender):
-    def test_has_the_add_on_the_package_and_the_library(self):
+    def test_contains_the_add_on_the_package_and_the_library(self):
         library = os.environ.get("LANCRET_LIBRARY")
         if not library:
             raise unittest.SkipTest("LANCRET_LIBRARY does not name the library")
@@ -35,12 +35,12 @@ class Zip(InBlender):
             self.assertTrue((addon / name).is_file(), name)
         clean = {k: v for k, v in os.environ.items() if k != "LANCRET_LIBRARY"}
         clean.pop("PYTHONPATH", None)
-        said = subprocess.run(
+        result = subprocess.run(
             [sys.executable, "-B", "-c", LOAD, addon / "package.py"],
             env=clean,
             cwd=self.folder,
             capture_output=True,
             text=True,
         )
-        self.assertEqual(said.returncode, 0, said.stderr)
-        self.assertEqual(said.stdout.split()[0], str(addon / "lancret" / "__init__.py"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout.split()[0], str(addon / "lancret" / "__init__.py"))

@@ -68,7 +68,9 @@ def prims_of(
     ]
     if not found:
         raise InputError(f"{name_of(top)}: has no {kind.__name__} at or below it")
-    visible = [each for each in found if each == top or _is_visible(each, time, purposes)]
+    visible = [
+        each for each in found if each == top or _is_visible(each, time, purposes)
+    ]
     if not visible:
         raise InputError(
             f"{name_of(top)}: has {len(found)} {kind.__name__}, but none that is visible "

@@ -136,7 +136,9 @@ def add_curves(stage: Any, path: str, curves: Curves) -> Any:
     strands. Returns the UsdGeom.BasisCurves.
     """
     if curves.basis not in _TYPES:
-        raise InputError(f"{path}: basis {curves.basis!r}: USD supports {', '.join(_TYPES)}")
+        raise InputError(
+            f"{path}: basis {curves.basis!r}: USD supports {', '.join(_TYPES)}"
+        )
     prim = UsdGeom.BasisCurves.Define(stage, path)
     kind, basis = _TYPES[curves.basis]
     prim.CreateTypeAttr(kind)
