@@ -98,7 +98,7 @@ std::string judge_fault(const Include& include) {
                                        "procedural/bind/",
                                        "procedural/expand/",
                                        "procedural/kernels/",
-                                       "procedural/evaluate/leave_out",
+                                       "procedural/evaluate/hold_out",
                                        "procedural/evaluate/evaluation",
                                        "procedural/check/"};
     const bool judge = begins(include.file, "procedural/evaluate/strand_figures.");

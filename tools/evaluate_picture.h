@@ -1,5 +1,5 @@
 #pragma once
-// The left-out strands side by side: as they are, and as each blend makes them.
+// A picture of the held-out strands next to each blend's prediction of them.
 
 #include <functional>
 #include <string>
@@ -11,19 +11,25 @@
 
 namespace lancret {
 
-/// How a strip is seen: `render` sizes a panel; the camera is one for all and frames the
-/// truth.
+/// The strands of a strip.
+struct StripStrands {
+    const HoldOut& holdout;
+    const GuideProfiles<float>& profiles;  ///< of its guides
+    const std::vector<Blend>& blends;
+};
+
+/// How a strip is rendered. `preview.render` has the size of one panel; all panels share
+/// one camera, which frames the real strands.
 struct StripView {
     PreviewSettings preview;
     Vec3f up = Vec3f::UnitY();
     Taper taper;
-    std::optional<TriangleMesh> body;  ///< shown under the strands
+    std::optional<TriangleMesh> body;  ///< rendered below the strands
 };
 
-/// The truth, then each blend's strands, left to right, each with its name under it.
-/// `progress` gets the share done.
-Image evaluation_strip(const HoldOut& taken, const GuideProfiles<float>& profiles,
-                       const std::vector<Blend>& blends, const StripView& view,
+/// One panel with the real strands, then one per blend, from left to right, each with its
+/// name below. `progress` receives the completed fraction.
+Image evaluation_strip(const StripStrands& strands, const StripView& view,
                        const std::function<void(double done)>& progress);
 
 }  // namespace lancret

@@ -6,6 +6,7 @@
 #include "procedural/abi/handles.h"
 #include "procedural/abi/source.h"
 #include "procedural/evaluate/report.h"
+#include "procedural/evaluate/subject.h"
 
 namespace lancret::abi {
 

@@ -1,41 +1,44 @@
 #pragma once
-// How near each blend comes to the strands that were left out.
+// How well each blend predicts the held-out strands.
 
-#include "procedural/evaluate/leave_out.h"
+#include <string>
+
+#include "procedural/evaluate/hold_out.h"
 
 namespace lancret {
 
-/// What came of one blend.
+/// The result for one blend.
 struct BlendEvaluation {
     Blend blend = Blend::option1;
     StrandFigures figures;
-    /// |length of the strand as synthesised / intended length - 1|: the intended length
-    /// is the weighted length of its guides.
+    /// |synthesised length / intended length - 1|, mean and maximum over the strands. The
+    /// intended length is the weighted mean of the guides' lengths.
     double length_error_mean = 0, length_error_max = 0;
-    double ns_per_point = 0;  ///< on one thread; a point is a place on a child
+    double ns_per_point = 0;  ///< synthesis on one thread, per place on a child
+    std::string code;         ///< the code that was timed: see synthesis_code
 };
 
-/// The number of intervals that children are synthesised at: a multiple of the guides'
-/// segments, kCompareSteps at least, such that 99 in 100 intervals of the guides turn by
-/// half a radian at most; 512 at most where the segments allow it.
+/// The number of intervals that children are synthesised with: a multiple of the guides'
+/// segments, at least kCompareSteps, with which 99 % of the guides' intervals turn by at
+/// most half a radian; at most 512 if the segments allow it.
 int evaluation_intervals(const Guides& guides);
 
-/// The children of `taken` as a blend makes them, at kCompareSteps.
+/// The held-out strands as a blend predicts them, sampled at kCompareSteps.
 struct Prediction {
     StrandSamples strands;
-    std::vector<Vec3f> tangents;        ///< there, unit
+    std::vector<Vec3f> tangents;        ///< unit, at each point of `strands`
     std::vector<double> length_errors;  ///< [children], relative, signed
 };
 
-/// Synthesises every left-out strand as rendering does. Throws std::runtime_error where a
-/// place is not finite. The same for any number of threads.
-Prediction predict(const HoldOut& taken, const GuideProfiles<float>& profiles,
+/// Synthesises every held-out strand with the code that rendering uses. The result is the
+/// same for any number of threads; between instruction sets it differs by round-off.
+/// Throws std::runtime_error if a place is not finite.
+Prediction predict(const HoldOut& holdout, const GuideProfiles<float>& profiles,
                    Blend blend);
 
-/// predict, its figures, and what a point costs: the least of several runs over a part of
-/// the children on the calling thread. All but the cost is the same for any number of
-/// threads.
-BlendEvaluation evaluate_blend(const HoldOut& taken, const GuideProfiles<float>& profiles,
-                               Blend blend);
+/// predict, its figures and its cost. The cost is the fastest of several runs over a part
+/// of the children on the calling thread; all else is the same for any number of threads.
+BlendEvaluation evaluate_blend(const HoldOut& holdout,
+                               const GuideProfiles<float>& profiles, Blend blend);
 
 }  // namespace lancret

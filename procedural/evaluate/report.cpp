@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "procedural/bind/report.h"
 #include "procedural/check/figures.h"
 #include "procedural/expand/expand.h"
@@ -23,59 +25,59 @@ nlohmann::json distribution_json(const DistributionFigures& figures) {
 
 }  // namespace
 
-std::string evaluation_table(const EvaluationReport& report, const HoldOut& taken) {
+std::string evaluation_table(const EvaluationReport& report, const HoldOut& holdout) {
     std::string out =
         fmt::format("{}: {} guides predict {} strands at their own roots\n", report.groom,
-                    taken.guides.size(), taken.binding.size());
+                    holdout.guides.size(), holdout.binding.size());
     if (report.curl) {
         out += fmt::format(
-            "wound into curls of radius {:.3g} of the length, {:.3g} turns "
-            "+- {:.3g} %, phase at random\n",
+            "wound into curls: radius {:.3g} of the length, {:.3g} turns +- {:.3g} %, "
+            "random phase\n",
             report.curl->radius, report.curl->turns, 100 * report.curl->jitter);
     }
     out += fmt::format(
-        "guides {} as {} segments: RMS over length median {:.5f}, p95 {:.5f}; curvature "
-        "W1 {:.4f}, mean {:.3f} of theirs\n"
-        "children of {} intervals; default blend {}\n",
-        taken.fit.fitted ? "fitted" : "read", taken.guides.segments, taken.fit.rms.median,
-        taken.fit.rms.p95, taken.fit.curvature.w1, taken.fit.curvature.mean_ratio,
-        report.intervals, default_blend());
-    out += bind_table(taken.binding.report, taken.binding.size()) + '\n';
+        "guides {} {} segments: RMS over length median {:.5f}, p95 {:.5f}; curvature "
+        "W1 {:.4f}, mean ratio {:.3f}\n"
+        "{} intervals per child; default blend {}\n",
+        holdout.fit.fitted ? "fitted with" : "sampled with", holdout.guides.segments,
+        holdout.fit.rms.median, holdout.fit.rms.p95, holdout.fit.curvature.w1,
+        holdout.fit.curvature.mean_ratio, report.intervals, default_blend());
+    out += bind_table(holdout.binding.report, holdout.binding.size()) + '\n';
     out += fmt::format("{:18}{:^17}{:^17}{:^17}{:^18}{:^15}{:^15}{:>8}\n", "",
                        "RMS / length", "place", "tip", "length error", "curvature",
                        "torsion", "cost");
     out += fmt::format(
         "{:18}{:>8}{:>8} {:>8}{:>8} {:>8}{:>8} {:>9}{:>8} {:>7}{:>7} "
-        "{:>7}{:>7} {:>7}\n",
+        "{:>7}{:>7} {:>7}  {}\n",
         "blend", "median", "p95", "median", "p95", "median", "p95", "mean", "max", "W1",
-        "ratio", "W1", "ratio", "ns/pt");
+        "ratio", "W1", "ratio", "ns/pt", "code");
     for (const BlendEvaluation& blend : report.blends) {
         const StrandFigures& f = blend.figures;
         out += fmt::format(
             "{:18}{:8.4f}{:8.4f} {:8.4f}{:8.4f} {:8.4f}{:8.4f} {:9.1e}{:8.1e} "
-            "{:7.3f}{:7.3f} {:7.3f}{:7.3f} {:7.0f}\n",
+            "{:7.3f}{:7.3f} {:7.3f}{:7.3f} {:7.1f}  {}\n",
             blend_name(blend.blend), f.rms.median, f.rms.p95, f.place.median, f.place.p95,
             f.tip.median, f.tip.p95, blend.length_error_mean, blend.length_error_max,
             f.curvature.w1, f.curvature.mean_ratio, f.torsion.w1, f.torsion.mean_ratio,
-            blend.ns_per_point);
+            blend.ns_per_point, blend.code);
     }
     return out;
 }
 
-nlohmann::json evaluation_json(const EvaluationReport& report, const HoldOut& taken) {
+nlohmann::json evaluation_json(const EvaluationReport& report, const HoldOut& holdout) {
     nlohmann::json out = {
         {"groom", report.groom},
         {"seed", report.seed},
-        {"strands", taken.guides.size() + taken.binding.size()},
-        {"flat_strands", taken.flat_strands},
-        {"guides", taken.guides.size()},
-        {"segments", taken.guides.segments},
+        {"strands", holdout.guides.size() + holdout.binding.size()},
+        {"flat_strands", holdout.flat_strands},
+        {"guides", holdout.guides.size()},
+        {"segments", holdout.guides.segments},
         {"intervals", report.intervals},
-        {"bind", bind_json(taken.binding.report)},
+        {"bind", bind_json(holdout.binding.report)},
         {"fit",
-         {{"fitted", taken.fit.fitted},
-          {"rms_over_length", spread_json(taken.fit.rms)},
-          {"curvature", distribution_json(taken.fit.curvature)}}},
+         {{"fitted", holdout.fit.fitted},
+          {"rms_over_length", spread_json(holdout.fit.rms)},
+          {"curvature", distribution_json(holdout.fit.curvature)}}},
         {"default", default_blend()},
     };
     if (report.curl) {
@@ -95,6 +97,7 @@ nlohmann::json evaluation_json(const EvaluationReport& report, const HoldOut& ta
             {"curvature", distribution_json(f.curvature)},
             {"torsion", distribution_json(f.torsion)},
             {"ns_per_point", number_json(blend.ns_per_point)},
+            {"code", blend.code},
         };
     }
     return out;

@@ -26,9 +26,9 @@ double rms_distance(std::span<const Vec3> a, std::span<const Vec3> b) {
     return std::sqrt(sum / double(a.size()));
 }
 
-/// The 199 quantiles of a weighted distribution. A value stands at the middle of its
-/// weight; between two, the quantile goes in proportion, and with equal weights it is
-/// that of (i + 1/2) / n. All 0 where nothing has weight.
+/// The 199 quantiles of a weighted distribution. A value is the quantile at the middle of
+/// its weight, (i + 1/2) / n with equal weights; between values they are interpolated
+/// linearly. All 0 if no value has weight.
 std::array<double, kQuantiles> quantiles(std::vector<Weighted>& values) {
     tbb::parallel_sort(values.begin(), values.end(), [](const auto& a, const auto& b) {
         return a.value != b.value ? a.value < b.value : a.weight < b.weight;
@@ -45,10 +45,10 @@ std::array<double, kQuantiles> quantiles(std::vector<Weighted>& values) {
         if (!(v.weight > 0)) continue;
         place = sum + v.weight / 2;
         for (; q < kQuantiles; ++q) {
-            const double wanted = 0.005 * double(q + 1) * total;
-            if (wanted > place) break;
+            const double target = 0.005 * double(q + 1) * total;
+            if (target > place) break;
             const double share =
-                before ? (wanted - place_before) / (place - place_before) : 1;
+                before ? (target - place_before) / (place - place_before) : 1;
             out[q] = before ? before->value + share * (v.value - before->value) : v.value;
         }
         before = &v;
@@ -59,7 +59,7 @@ std::array<double, kQuantiles> quantiles(std::vector<Weighted>& values) {
     return out;
 }
 
-double mean_size(const std::vector<Weighted>& values) {
+double mean_magnitude(const std::vector<Weighted>& values) {
     double sum = 0, total = 0;
     for (const Weighted& v : values) {
         sum += std::abs(v.value) * v.weight;
@@ -139,7 +139,7 @@ DistributionFigures compare(std::vector<Weighted>& real, std::vector<Weighted>& 
         distance += std::abs(a[q] - b[q]);
         size += std::abs(a[q]);
     }
-    const double real_mean = mean_size(real), made_mean = mean_size(made);
+    const double real_mean = mean_magnitude(real), made_mean = mean_magnitude(made);
     DistributionFigures out;
     out.w1 = size > 0 ? distance / size : distance / double(kQuantiles);
     out.mean_ratio = real_mean > 0 ? made_mean / real_mean : 1;

@@ -1,8 +1,10 @@
+#include "procedural/evaluate/subject.h"
+
 #include <fmt/format.h>
 
 #include "guides/base/errors.h"
 #include "procedural/bind/partings.h"
-#include "procedural/evaluate/report.h"
+#include "procedural/groom/placed_guides.h"
 
 namespace lancret {
 
@@ -11,7 +13,7 @@ EvaluationSubject load_subject(const GroomSettings& groom,
                                std::vector<std::string>& warnings) {
     if (!groom.guides_file.empty() || groom.strands_file.extension() == ".h5") {
         throw InputError(fmt::format(
-            "{}: holds guides alone; an evaluation needs a dense groom's strands",
+            "{}: contains guides only; an evaluation needs the strands of a dense groom",
             (groom.guides_file.empty() ? groom.strands_file : groom.guides_file)
                 .string()));
     }
@@ -26,7 +28,7 @@ EvaluationSubject load_subject(const GroomSettings& groom,
     out.partings = groom_partings(groom, loaded.partings, out.scalp, warnings);
     if (groom.regions.any()) {
         warnings.push_back(
-            fmt::format("{}: [regions] has no say in an evaluation", groom.name));
+            fmt::format("{}: an evaluation ignores [regions]", groom.name));
     }
     out.strands = curl ? wrapped_in_curls(loaded.strands, *curl, groom.seed)
                        : std::move(loaded.strands);
@@ -36,13 +38,13 @@ EvaluationSubject load_subject(const GroomSettings& groom,
 HoldOut split_groom(const GroomSettings& groom, const EvaluationSubject& subject,
                     std::optional<int> segments) {
     const Partings partings(subject.partings);
-    return leave_out(subject.strands, subject.scalp ? &*subject.scalp : nullptr,
-                     {.guides = groom.guides,
-                      .segments = segments,
-                      .bind = groom.bind,
-                      .partings = partings.size() > 0 ? &partings : nullptr,
-                      .seed = groom.seed},
-                     groom.name);
+    return hold_out(subject.strands, subject.scalp ? &*subject.scalp : nullptr,
+                    {.guides = groom.guides,
+                     .segments = segments,
+                     .bind = groom.bind,
+                     .partings = partings.size() > 0 ? &partings : nullptr,
+                     .seed = groom.seed},
+                    groom.name);
 }
 
 }  // namespace lancret

@@ -1,12 +1,19 @@
 #include "procedural/expand/synthesis.h"
 
+#include "procedural/kernels/instruction_set.h"
 #include "procedural/kernels/strand_kernels.h"
 
 namespace lancret {
 
+namespace {
+
+bool has_curl_kernel(Blend blend) { return traits_of(blend).kernel == BlendKernel::curl; }
+
+}  // namespace
+
 void synthesize(const SynthesisInput& in, std::size_t first, std::size_t count,
                 std::span<HelixState<float>> states) {
-    if (in.guides.size > 0 && traits_of(in.blend).kernel == BlendKernel::curl) {
+    if (in.guides.size > 0 && has_curl_kernel(in.blend)) {
         synthesize_strands({.binding = in.binding,
                             .profiles = in.profiles,
                             .guides = in.guides,
@@ -21,6 +28,11 @@ void synthesize(const SynthesisInput& in, std::size_t first, std::size_t count,
         synthesize_child<float>(in.binding, in.profiles, in.blend, first + s,
                                 states.subspan(s * places, places));
     }
+}
+
+std::string synthesis_code(Blend blend) {
+    return has_curl_kernel(blend) ? std::string("kernel ") + kernel_instruction_set()
+                                  : "scalar";
 }
 
 }  // namespace lancret

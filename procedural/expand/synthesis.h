@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "procedural/bind/child.h"
@@ -23,6 +24,10 @@ struct SynthesisInput {
 /// places per child to `states`.
 void synthesize(const SynthesisInput& in, std::size_t first, std::size_t count,
                 std::span<HelixState<float>> states);
+
+/// The code that `synthesize` runs for a blend, given kernel guides: "kernel " and the
+/// instruction set, such as "kernel AVX2", or "scalar".
+std::string synthesis_code(Blend blend);
 
 /// Calls visit(i, states of child i) for the children [first, last), which are
 /// synthesised in batches.

@@ -26,21 +26,21 @@ Strands same_strands(double turns) {
     return out;
 }
 
-GuideProfiles<float> profiles_of(const HoldOut& taken) {
-    return guide_profiles<float>(taken.guides, evaluation_intervals(taken.guides));
+GuideProfiles<float> profiles_of(const HoldOut& holdout) {
+    return guide_profiles<float>(holdout.guides, evaluation_intervals(holdout.guides));
 }
 
 TEST(Evaluation, StrandsThatAreAllTheSameArePredictedByEveryBlend) {
     for (const double turns : {0.0, 3.0}) {
-        const HoldOut taken =
-            leave_out(same_strands(turns), nullptr, {.guides = {.number = 9}}, "g");
-        const auto profiles = profiles_of(taken);
+        const HoldOut holdout =
+            hold_out(same_strands(turns), nullptr, {.guides = {.number = 9}}, "g");
+        const auto profiles = profiles_of(holdout);
         for (const BlendTraits& entry : blends()) {
-            const BlendEvaluation found = evaluate_blend(taken, profiles, entry.blend);
+            const BlendEvaluation found = evaluate_blend(holdout, profiles, entry.blend);
             // Nothing is left but what the guide itself is off its strand, and float's
             // round-off: 6e-8 a step over 128 steps at most, and of places up to 20 cm
             // on a strand of 5 cm and more, 4 * 6e-8.
-            const double off = taken.fit.rms.p95 + 128 * 6e-8 + 4 * 6e-8;
+            const double off = holdout.fit.rms.p95 + 128 * 6e-8 + 4 * 6e-8;
             EXPECT_LE(found.figures.rms.p95, off) << entry.name << " " << turns;
             EXPECT_LE(found.figures.place.p95, off) << entry.name << " " << turns;
             EXPECT_LE(found.length_error_max, 1e-5) << entry.name << " " << turns;
@@ -61,19 +61,20 @@ TEST(Evaluation, PositionShortensBetweenGuidesThatPointApart) {
         strands.first.push_back(std::uint32_t(strands.points.size()));
     }
     // Seeded with an outer strand, the farthest from it is the other one.
-    const HoldOut taken =
-        leave_out(strands, nullptr,
-                  {.guides = {.number = 2}, .bind = {.neighbours = 2}, .seed = 0}, "g");
-    ASSERT_EQ(taken.child_strands, std::vector<std::uint32_t>{1});
-    const auto profiles = profiles_of(taken);
-    const BlendEvaluation by_place = evaluate_blend(taken, profiles, Blend::position);
+    const HoldOut holdout =
+        hold_out(strands, nullptr,
+                 {.guides = {.number = 2}, .bind = {.neighbours = 2}, .seed = 0}, "g");
+    ASSERT_EQ(holdout.child_strands, std::vector<std::uint32_t>{1});
+    const auto profiles = profiles_of(holdout);
+    const BlendEvaluation by_place = evaluate_blend(holdout, profiles, Blend::position);
     EXPECT_NEAR(by_place.length_error_max, 1 - std::sqrt(0.5), 1e-5);
     // At share s it is s (1 - sqrt(1/2)) of the length too low: over the 65 samples s = j
     // / 64 the mean of s^2 is 64 * 65 * 129 / 6 / 64^2 / 65 = 129 / (6 * 64).
     EXPECT_NEAR(by_place.figures.tip.median, 1 - std::sqrt(0.5), 1e-5);
     EXPECT_NEAR(by_place.figures.rms.median,
                 (1 - std::sqrt(0.5)) * std::sqrt(129.0 / (6 * 64)), 1e-5);
-    const BlendEvaluation by_curvature = evaluate_blend(taken, profiles, Blend::option1);
+    const BlendEvaluation by_curvature =
+        evaluate_blend(holdout, profiles, Blend::option1);
     EXPECT_LE(by_curvature.length_error_max, 1e-5);
     EXPECT_LE(by_curvature.figures.rms.median, 1e-5);
 }
@@ -81,8 +82,8 @@ TEST(Evaluation, PositionShortensBetweenGuidesThatPointApart) {
 TEST(Evaluation, AllButTheCostIsTheSameForAnyThreadCount) {
     const Strands strands = curly_strands(200, 3);
     const auto run = [&] {
-        const HoldOut taken = leave_out(strands, nullptr, {}, "g");
-        return predict(taken, profiles_of(taken), Blend::option1);
+        const HoldOut holdout = hold_out(strands, nullptr, {}, "g");
+        return predict(holdout, profiles_of(holdout), Blend::option1);
     };
     const Prediction all = run();
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
@@ -96,18 +97,18 @@ TEST(Evaluation, AllButTheCostIsTheSameForAnyThreadCount) {
 TEST(Evaluation, PlacesBetweenStatesLieOnTheStrand) {
     // Children of one guide are that guide, and 48 or 96 intervals do not have a state at
     // every 64th of the length.
-    const HoldOut taken = leave_out(
+    const HoldOut holdout = hold_out(
         curly_strands(60, 4), nullptr,
         {.guides = {.share = 0.2}, .segments = 48, .bind = {.neighbours = 1}}, "g");
-    const int n = evaluation_intervals(taken.guides);
+    const int n = evaluation_intervals(holdout.guides);
     ASSERT_NE(n % kCompareSteps, 0);
     const Prediction made =
-        predict(taken, guide_profiles<float>(taken.guides, n), Blend::option1);
-    for (std::size_t c = 0; c < taken.binding.size(); ++c) {
-        const std::uint32_t g = taken.binding.guides[c];
-        const SuperHelix guide = super_helix(taken.guides, g);
-        const double length = guide_length(taken.guides, g);
-        const Vec3 move = taken.truth.strand(c)[0] - guide.root.position;
+        predict(holdout, guide_profiles<float>(holdout.guides, n), Blend::option1);
+    for (std::size_t c = 0; c < holdout.binding.size(); ++c) {
+        const std::uint32_t g = holdout.binding.guides[c];
+        const SuperHelix guide = super_helix(holdout.guides, g);
+        const double length = guide_length(holdout.guides, g);
+        const Vec3 move = holdout.truth.strand(c)[0] - guide.root.position;
         for (int j = 0; j <= kCompareSteps; ++j) {
             const HelixState<double> exact = state_at(guide, length * j / kCompareSteps);
             // Float's round-off of 96 steps, each turning what is left of the strand.

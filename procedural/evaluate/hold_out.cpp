@@ -1,4 +1,4 @@
-#include "procedural/evaluate/leave_out.h"
+#include "procedural/evaluate/hold_out.h"
 
 #include <fmt/format.h>
 
@@ -16,32 +16,32 @@ namespace lancret {
 
 namespace {
 
-/// Guides are read with the first of these numbers of segments that keeps their shape.
-constexpr int kReadSegments[] = {16, 32, 64, 128};
+/// Guides are sampled with the first of these numbers of segments that keeps their shape.
+constexpr int kSampledSegments[] = {16, 32, 64, 128};
 
-/// What keeps the shape: the curvatures' distribution, and the RMS distance over length
-/// of 95 in 100 guides.
-constexpr double kFitCurvature = 0.005, kFitDistance = 0.002;
+/// Limits within which guides keep their shape: W1 of the curvatures, and the 95th
+/// percentile of the RMS distance over length.
+constexpr double kMaxCurvatureW1 = 0.005, kMaxDistance = 0.002;
 
-/// Shorter than this, cm, a strand has no length: its curvatures are beyond floats.
-constexpr double kShortest = 1e-6;
+/// Shorter strands, cm, are ignored: floats cannot hold their curvatures.
+constexpr double kMinLength = 1e-6;
 
-/// Every strand at equal steps; nothing of those without a length.
+/// Every strand at equal steps; those that are too short are empty.
 std::vector<SampledCurve> sampled(const Strands& strands) {
     std::vector<SampledCurve> out(strands.size());
     cancellable_for(std::size_t(0), strands.size(), [&](std::size_t i) {
         const auto curve = strand_curve(strands, i);
-        if (curve && curve->length() >= kShortest) {
+        if (curve && curve->length() >= kMinLength) {
             out[i] = resample(*curve, kCompareSteps);
         }
     });
     return out;
 }
 
-/// The surface where strands stand.
+/// The surface at the roots of strands.
 struct Surface {
     std::vector<Vec3f> normals;
-    std::vector<Vec3> tangents;
+    std::vector<Vec3> tangents;  ///< empty without a scalp
 };
 
 Surface surface_at(const Scalp* scalp, std::span<const Vec3> roots) {
@@ -61,7 +61,7 @@ Surface surface_at(const Scalp* scalp, std::span<const Vec3> roots) {
     return out;
 }
 
-/// The guides held against the strands that they were made of.
+/// Compares guides with the strands that they were made from.
 GuideFit guide_fit(const Guides& guides, const std::vector<SampledCurve>& strands,
                    std::span<const std::uint32_t> which) {
     StrandSamples real{kCompareSteps, {}}, made{kCompareSteps, {}};
@@ -95,42 +95,44 @@ void make_guides(const Strands& strands, const std::vector<SampledCurve>& curves
         out.fit.fitted = true;
         return;
     }
-    for (const int n : kReadSegments) {
+    for (const int n : kSampledSegments) {
         out.guides = sample_guides(strands, out.guide_strands, tangents, n).guides;
         out.fit = guide_fit(out.guides, curves, out.guide_strands);
-        if (out.fit.curvature.w1 <= kFitCurvature && out.fit.rms.p95 <= kFitDistance) {
+        if (out.fit.curvature.w1 <= kMaxCurvatureW1 && out.fit.rms.p95 <= kMaxDistance) {
             return;
         }
     }
 }
 
-}  // namespace
+/// Roots of the two parts of a groom, cm.
+struct SplitRoots {
+    std::vector<Vec3> guides, children;
+};
 
-HoldOut leave_out(const Strands& strands, const Scalp* scalp,
-                  const LeaveOutSettings& settings, const std::string& name) {
-    const std::vector<SampledCurve> curves = sampled(strands);
+/// Selects the guides and fills the strands, truth and tangents of `out`.
+SplitRoots split(const std::vector<SampledCurve>& curves, const HoldOutSettings& settings,
+                 const std::string& name, HoldOut& out) {
     std::vector<std::uint32_t> whole;
-    std::vector<Vec3> roots;
+    std::vector<Vec3> all_roots;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         if (curves[i].positions.empty()) continue;
         whole.push_back(std::uint32_t(i));
-        roots.push_back(curves[i].positions[0]);
+        all_roots.push_back(curves[i].positions[0]);
     }
     const std::size_t count = settings.guides.of(whole.size());
     if (count < 1 || count >= whole.size()) {
         throw InputError(fmt::format(
-            "{}: {} of its {} strands as guides leave {} to predict; an "
-            "evaluation needs both: see --guides",
+            "{}: {} of its {} strands as guides leave {} to predict, expected at least "
+            "one of each; see --guides",
             name, count, whole.size(), whole.size() - std::min(count, whole.size())));
     }
-    HoldOut out;
-    out.flat_strands = strands.size() - whole.size();
+    out.flat_strands = curves.size() - whole.size();
+    SplitRoots roots;
     std::vector<bool> is_guide(whole.size(), false);
-    std::vector<Vec3> guide_roots, child_roots;
-    for (const std::uint32_t i : farthest_points(roots, count, settings.seed)) {
+    for (const std::uint32_t i : farthest_points(all_roots, count, settings.seed)) {
         is_guide[i] = true;
         out.guide_strands.push_back(whole[i]);
-        guide_roots.push_back(roots[i]);
+        roots.guides.push_back(all_roots[i]);
     }
     const std::size_t children = whole.size() - count;
     out.truth.steps = kCompareSteps;
@@ -140,24 +142,35 @@ HoldOut leave_out(const Strands& strands, const Scalp* scalp,
         if (is_guide[i]) continue;
         const SampledCurve& strand = curves[whole[i]];
         out.child_strands.push_back(whole[i]);
-        child_roots.push_back(roots[i]);
+        roots.children.push_back(all_roots[i]);
         out.lengths.push_back(strand.length);
         out.truth.points.insert(out.truth.points.end(), strand.positions.begin(),
                                 strand.positions.end());
         for (const Vec3& t : strand.tangents) out.tangents.push_back(t.cast<float>());
     }
+    return roots;
+}
 
-    Surface guide_surface = surface_at(scalp, guide_roots);
+}  // namespace
+
+HoldOut hold_out(const Strands& strands, const Scalp* scalp,
+                 const HoldOutSettings& settings, const std::string& name) {
+    const std::vector<SampledCurve> curves = sampled(strands);
+    HoldOut out;
+    const SplitRoots roots = split(curves, settings, name, out);
+    Surface guide_surface = surface_at(scalp, roots.guides);
     make_guides(strands, curves, guide_surface.tangents, settings.segments, out);
-    Roots stand;
-    for (const Vec3& root : child_roots) stand.positions.push_back(root.cast<float>());
-    stand.normals = surface_at(scalp, child_roots).normals;
+    Roots children;
+    for (const Vec3& root : roots.children) {
+        children.positions.push_back(root.cast<float>());
+    }
+    children.normals = surface_at(scalp, roots.children).normals;
     BindSettings bind_settings = settings.bind;
     bind_settings.length_scale = 1;
     if (!scalp) bind_settings.facing = false;
     BindBorders borders;
     borders.partings = settings.partings;
-    out.binding = lancret::bind(std::move(stand), out.guides,
+    out.binding = lancret::bind(std::move(children), out.guides,
                                 std::move(guide_surface.normals), bind_settings, borders);
     return out;
 }
