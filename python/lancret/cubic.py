@@ -61,14 +61,14 @@ def sample(
     segments = np.zeros(len(counts), dtype=np.int64)
     for count, strands in groups(counts):
         segments[strands] = segments_of(count, basis)
-    made = segments * steps + 1
-    out = np.empty((int(made.sum()), points.shape[1]))
-    out_starts = _starts(made)
+    sizes = segments * steps + 1
+    out = np.empty((int(sizes.sum()), points.shape[1]))
+    out_starts = _starts(sizes)
     for count, strands in groups(counts):
         rows = points[starts[strands][:, None] + np.arange(count)]
         places = rows if basis == "linear" else _cubic_places(rows, basis, steps)
         out[out_starts[strands][:, None] + np.arange(places.shape[1])] = places
-    return out, made.astype(np.uint32)
+    return out, sizes.astype(np.uint32)
 
 
 def _starts(counts: npt.NDArray[np.integer]) -> npt.NDArray[np.int64]:
@@ -112,14 +112,14 @@ def with_phantoms(
     """Adds a point 2 p0 - p1 to either end of each curve, so that a B-spline or
     Catmull-Rom curve begins and ends at its original end points (USD's `pinned`)."""
     values = np.asarray(values, dtype=np.float64)
-    starts, made = _starts(counts), np.asarray(counts, np.int64) + 2
+    starts, sizes = _starts(counts), np.asarray(counts, np.int64) + 2
     ends = starts + np.asarray(counts, np.int64) - 1
-    out = np.empty((int(made.sum()), *values.shape[1:]))
-    out_starts = _starts(made)
-    out_ends = out_starts + made - 1
+    out = np.empty((int(sizes.sum()), *values.shape[1:]))
+    out_starts = _starts(sizes)
+    out_ends = out_starts + sizes - 1
     inside = np.ones(len(out), dtype=bool)
     inside[out_starts] = inside[out_ends] = False
     out[inside] = values
     out[out_starts] = 2 * values[starts] - values[starts + 1]
     out[out_ends] = 2 * values[ends] - values[ends - 1]
-    return out, made.astype(np.uint32)
+    return out, sizes.astype(np.uint32)

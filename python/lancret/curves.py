@@ -115,14 +115,14 @@ class Curves:
         if basis == "hermite":
             if self.tangents is None:
                 raise CallError("hermite curves cannot be sampled without tangents")
-            places, made = cubic.sample(
+            places, sizes = cubic.sample(
                 *cubic.hermite_as_bezier(values, self.tangents[time], counts),
                 "bezier",
                 per_segment,
             )
         else:
-            places, made = cubic.sample(values, counts, basis, per_segment)
-        return places, starts_of(made)
+            places, sizes = cubic.sample(values, counts, basis, per_segment)
+        return places, starts_of(sizes)
 
 
 def segments_of_curves(counts: Counts, basis: str) -> npt.NDArray[np.int64]:

@@ -32,8 +32,8 @@ class Cubic(unittest.TestCase):
     def test_strands_of_different_counts_stay_in_their_order(self):
         counts = np.array([5, 4, 5, 6])
         points = np.arange(counts.sum(), dtype=float)[:, None]
-        places, made = cubic.sample(points, counts, "bspline", 1)
-        self.assertEqual(made.tolist(), [3, 2, 3, 4])
+        places, sizes = cubic.sample(points, counts, "bspline", 1)
+        self.assertEqual(sizes.tolist(), [3, 2, 3, 4])
         np.testing.assert_allclose(
             places[:, 0], [1, 2, 3, 6, 7, 10, 11, 12, 15, 16, 17, 18]
         )
@@ -41,10 +41,10 @@ class Cubic(unittest.TestCase):
     def test_phantom_points_make_bsplines_reach_their_ends(self):
         counts = np.array([2, 5])
         points = np.random.default_rng(3).normal(size=(7, 3))
-        ends, made = cubic.with_phantoms(points, counts)
-        places, segments = cubic.sample(ends, made, "bspline", 1)
-        self.assertEqual(made.tolist(), [4, 7])
-        self.assertEqual(segments.tolist(), [2, 5])
+        extended, extended_counts = cubic.with_phantoms(points, counts)
+        places, sizes = cubic.sample(extended, extended_counts, "bspline", 1)
+        self.assertEqual(extended_counts.tolist(), [4, 7])
+        self.assertEqual(sizes.tolist(), [2, 5])
         np.testing.assert_allclose(
             places[[0, 1, 2, 6]], points[[0, 1, 2, 6]], atol=1e-14
         )
@@ -52,20 +52,20 @@ class Cubic(unittest.TestCase):
     def test_hermite_segments_begin_and_end_with_their_derivatives(self):
         random = np.random.default_rng(4)
         points, tangents = random.normal(size=(5, 4)), random.normal(size=(5, 4))
-        made, counts = cubic.hermite_as_bezier(points, tangents, np.array([3, 2]))
+        bezier, counts = cubic.hermite_as_bezier(points, tangents, np.array([3, 2]))
         self.assertEqual(counts.tolist(), [7, 4])
-        np.testing.assert_allclose(made[[0, 3, 6, 7, 10]], points)
-        np.testing.assert_allclose(3 * (made[1] - made[0]), tangents[0], atol=1e-14)
-        np.testing.assert_allclose(3 * (made[6] - made[5]), tangents[2], atol=1e-14)
+        np.testing.assert_allclose(bezier[[0, 3, 6, 7, 10]], points)
+        np.testing.assert_allclose(3 * (bezier[1] - bezier[0]), tangents[0], atol=1e-14)
+        np.testing.assert_allclose(3 * (bezier[6] - bezier[5]), tangents[2], atol=1e-14)
 
     def test_no_curves_have_no_places(self):
         nothing, counts = np.empty((0, 4)), np.empty(0, np.uint32)
-        for made, sizes in (
+        for places, sizes in (
             cubic.sample(nothing, counts, "bspline", 4),
             cubic.with_phantoms(nothing, counts),
             cubic.hermite_as_bezier(nothing, nothing, counts),
         ):
-            self.assertEqual((made.shape, sizes.shape), ((0, 4), (0,)))
+            self.assertEqual((places.shape, sizes.shape), ((0, 4), (0,)))
 
     def test_counts_that_are_impossible_for_a_basis_are_refused(self):
         for count, basis in (

@@ -77,7 +77,7 @@ def read(
 
 
 @dataclasses.dataclass
-class _Form:
+class _Layout:
     """The layout of a prim's curves."""
 
     name: str
@@ -116,7 +116,7 @@ class _Form:
         }.get(interpolation, -1)
 
 
-def _form(curves: Any, time: Any, points: int, wrap_override: str | None) -> _Form:
+def _layout(curves: Any, time: Any, points: int, wrap_override: str | None) -> _Layout:
     name = name_of(curves.GetPrim())
     wrap = wrap_override or str(curves.GetWrapAttr().Get())
     kind = str(curves.GetTypeAttr().Get())
@@ -139,26 +139,26 @@ def _form(curves: Any, time: Any, points: int, wrap_override: str | None) -> _Fo
             f"{name}: curveVertexCounts must be 2 or more each and add up to {points} "
             f"points; the minimum is {counts.min()}, the sum {counts.sum()}"
         )
-    form = _Form(name, basis, wrap == "pinned", counts)
+    layout = _Layout(name, basis, wrap == "pinned", counts)
     try:
-        form.segments
+        layout.segments
     except InputError as fault:
         raise InputError(f"{name}: {fault}") from None
-    return form
+    return layout
 
 
 def _read_prim(prim: Any, time: Any, transform: bool, wrap: str | None) -> Strands:
     curves = UsdGeom.BasisCurves(prim)
     points = array_of(curves.GetPointsAttr(), time, (-1, 3), np.float64)
-    form = _form(curves, time, len(points), wrap)
+    layout = _layout(curves, time, len(points), wrap)
     matrix = matrix_of(prim, time) if transform else np.eye(4)
     points = to_world(points, matrix)
-    widths = _widths(curves, form, time)
+    widths = _widths(curves, layout, time)
     if widths is not None:  # the mean scale, as a non-uniform one has no single width
         widths = widths * abs(np.linalg.det(matrix[:3, :3])) ** (1 / 3)
         points = np.column_stack([points, widths])
-    basis, counts = form.basis, form.counts
-    if form.pinned and basis in _PINNED:
+    basis, counts = layout.basis, layout.counts
+    if layout.pinned and basis in _PINNED:
         points, counts = cubic.with_phantoms(points, counts)
     if basis in ("bezier", "catmull-rom"):
         points, counts = cubic.sample(points, counts, basis, PLACES_PER_SEGMENT)
@@ -168,12 +168,12 @@ def _read_prim(prim: Any, time: Any, transform: bool, wrap: str | None) -> Stran
         counts=counts,
         basis=basis,  # type: ignore[arg-type]
         widths=None if widths is None else points[:, 3],
-        root_uv=_root_uv(prim, form, time),
-        ids=_ids(prim, form, time),
+        root_uv=_root_uv(prim, layout, time),
+        ids=_ids(prim, layout, time),
     )
 
 
-def _widths(curves: Any, form: _Form, time: Any) -> np.ndarray | None:
+def _widths(curves: Any, layout: _Layout, time: Any) -> np.ndarray | None:
     """Widths at the control points; None if the prim has none."""
     found = _primvar(curves.GetPrim(), ("widths",), time)
     if found is not None:
@@ -185,44 +185,46 @@ def _widths(curves: Any, form: _Form, time: Any) -> np.ndarray | None:
         return None
     if not np.isfinite(widths).all():
         raise InputError(
-            f"{form.name}: primvars:widths contains a number that is not finite"
+            f"{layout.name}: primvars:widths contains a number that is not finite"
         )
-    return _at_points(widths, kind, form, "widths")
+    return _at_points(widths, kind, layout, "widths")
 
 
-def _at_points(values: np.ndarray, kind: str, form: _Form, what: str) -> np.ndarray:
+def _at_points(values: np.ndarray, kind: str, layout: _Layout, what: str) -> np.ndarray:
     """Converts values of any interpolation to one per control point."""
     if kind == "faceVarying":
         kind = "varying"
-    stretched = kind == "varying" and len(values) == form.stretched
-    if len(values) != form.elements(kind) and not stretched:
+    stretched = kind == "varying" and len(values) == layout.stretched
+    if len(values) != layout.elements(kind) and not stretched:
         raise InputError(
-            f"{form.name}: {what} are {kind}: expected {form.elements(kind)} values, found "
+            f"{layout.name}: {what} are {kind}: expected {layout.elements(kind)} values, found "
             f"{len(values)}"
         )
     if kind == "constant":
-        return np.repeat(values, int(form.counts.sum()), axis=0)
+        return np.repeat(values, int(layout.counts.sum()), axis=0)
     if kind == "uniform":
-        return np.repeat(values, form.counts, axis=0)
+        return np.repeat(values, layout.counts, axis=0)
     if kind == "varying":
-        return _varying_at_points(values, form, stretched)
+        return _varying_at_points(values, layout, stretched)
     return values
 
 
-def _varying_at_points(values: np.ndarray, form: _Form, stretched: bool) -> np.ndarray:
+def _varying_at_points(
+    values: np.ndarray, layout: _Layout, stretched: bool
+) -> np.ndarray:
     """Interpolates values at the ends of segments linearly. A control point is at the
     parameter of its largest weight; the outer points of a cubic that is not pinned are
     extrapolated. `stretched` values are evenly spaced along the curve."""
-    sizes = form.counts - 2 if stretched else form.segments + 1
-    out = np.empty(int(form.counts.sum()))
-    starts, out_starts = (np.cumsum(n) - n for n in (sizes, form.counts))
-    for count, curves in cubic.groups(form.counts):
+    sizes = layout.counts - 2 if stretched else layout.segments + 1
+    out = np.empty(int(layout.counts.sum()))
+    starts, out_starts = (np.cumsum(n) - n for n in (sizes, layout.counts))
+    for count, curves in cubic.groups(layout.counts):
         size = int(sizes[curves[0]])
         rows = values[starts[curves][:, None] + np.arange(size)]
-        t = np.arange(count, dtype=np.float64) / cubic.STEPS[form.basis]
+        t = np.arange(count, dtype=np.float64) / cubic.STEPS[layout.basis]
         if stretched:
             t *= (size - 1) / (count - 1)
-        elif form.basis in _PINNED and not form.pinned:
+        elif layout.basis in _PINNED and not layout.pinned:
             t -= 1
         low = np.clip(np.floor(t).astype(int), 0, size - 2)
         between = rows[:, low] + (t - low) * (rows[:, low + 1] - rows[:, low])
@@ -240,33 +242,33 @@ def _primvar(prim: Any, names: tuple[str, ...], time: Any) -> tuple[Any, str] | 
     return None
 
 
-def _of_roots(found: tuple[Any, str] | None, form: _Form, dtype: Any) -> Any:
+def _of_roots(found: tuple[Any, str] | None, layout: _Layout, dtype: Any) -> Any:
     """A primvar's value at each root; None if its size does not match."""
     if found is None:
         return None
     values, kind = np.array(found[0], dtype=dtype), found[1]
-    if len(values) != form.elements(kind):
+    if len(values) != layout.elements(kind):
         return None
     if kind == "constant":
-        return np.repeat(values, len(form.counts), axis=0)
+        return np.repeat(values, len(layout.counts), axis=0)
     if kind == "uniform":
         return values
-    each = form.counts if kind == "vertex" else form.segments + 1
+    each = layout.counts if kind == "vertex" else layout.segments + 1
     return values[np.cumsum(each) - each]
 
 
-def _root_uv(prim: Any, form: _Form, time: Any) -> Any:
+def _root_uv(prim: Any, layout: _Layout, time: Any) -> Any:
     found = _primvar(prim, ("st", "uv", "UVMap"), time)
     if found is not None and np.shape(found[0])[-1:] != (2,):
         return None
-    return _of_roots(found, form, np.float32)
+    return _of_roots(found, layout, np.float32)
 
 
-def _ids(prim: Any, form: _Form, time: Any) -> Any:
+def _ids(prim: Any, layout: _Layout, time: Any) -> Any:
     found = _primvar(prim, ("id", "ids"), time)
     if found is not None and np.array(found[0]).dtype.kind not in "iu":
         return None
-    return _of_roots(found, form, np.int64)
+    return _of_roots(found, layout, np.int64)
 
 
 def _joined(named: dict[str, Strands]) -> Strands:
