@@ -25,7 +25,10 @@ def candidates() -> list[str]:
     build = package.parent.parent / "build"
     files = [package / NAME]
     files += [build / preset / NAME for preset in ("release", "ci")]
-    return [str(file) for file in files if file.is_file()] + [f"{NAME}.1", NAME]
+    return [str(file) for file in files if file.is_file()] + [
+        f"{NAME}.{_abi.ABI_VERSION}",
+        NAME,
+    ]
 
 
 def _missing(place: str, name: str) -> Callable[..., NoReturn]:

@@ -5,10 +5,13 @@ import os
 import subprocess
 import sys
 import unittest
+import unittest.mock
 
 import numpy as np
 
 import lancret
+from lancret import _abi
+from lancret._library import NAME, candidates
 from lancret._source import Source, flat
 
 from .support import ROOT
@@ -143,6 +146,11 @@ class Library(unittest.TestCase):
             LANCRET_LIBRARY="/nowhere/lib.so",
         )
         self.assertIn("/nowhere/lib.so: ", result.stdout, result.stderr)
+
+    def test_the_system_is_searched_for_this_abi_version(self):
+        with unittest.mock.patch.dict(os.environ):
+            os.environ.pop("LANCRET_LIBRARY", None)
+            self.assertIn(f"{NAME}.{_abi.ABI_VERSION}", candidates())
 
     def test_usd_and_matplotlib_are_imported_on_demand(self):
         result = self.run_python(
