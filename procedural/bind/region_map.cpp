@@ -29,8 +29,9 @@ RegionMap read_region_map(const std::filesystem::path& path) {
         return InputError(fmt::format("{}: {}", path.string(), why));
     };
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored))
+    if (!std::filesystem::is_regular_file(path, ignored)) {
         throw fail("there is no such image");
+    }
     OIIO::ImageSpec as_stored;
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(path.string(), &as_stored);

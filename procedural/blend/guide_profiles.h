@@ -43,7 +43,7 @@ struct GuideProfiles {
     std::vector<Vec3T<T>>
         bishop;           ///< of intervals, 1/cm: the twist, and the two bends in
                           ///< the rotation-minimising frame that starts as the
-                          ///< root frame, as it stands in the interval's middle
+                          ///< root frame, as it is in the interval's middle
     SpineBasis<T> basis;  ///< for `count` intervals
     std::vector<Spine<T>> spines;  ///< [guides], in the root frame
     std::vector<T> advances;       ///< of places: |spine|, at most 1

@@ -24,6 +24,8 @@
 //
 #include "procedural/kernels/transpose_rows.inl"
 //
+#include "procedural/kernels/option1_rates.inl"
+//
 #include "procedural/kernels/option1_lanes.inl"
 //
 #include "procedural/kernels/fill_batch.inl"

@@ -170,8 +170,9 @@ TEST(RibbonFaces, MoveNoStrandAndAreThoseOfTheScalarBlends) {
             std::memcmp(fast.points.data(), plain.points.data(), plain.points.bytes()),
             0);
         ASSERT_EQ(fast.normals.size(), scalar.normals.size());
-        // Frames differ by up to 1e-4 radian (option 1's, kernel_curl_test.cpp) and faces
-        // as much; the outermost control point is 2 of one normal less the next.
+        // Frames differ by up to 1e-4 radian (option 1's,
+        // tests/procedural/kernels/curl_test.cpp) and faces as much; the outermost
+        // control point is 2 of one normal less the next.
         for (std::size_t j = 0; j < fast.normals.size(); ++j)
             EXPECT_LT((fast.normals[j].xyz() - scalar.normals[j].xyz()).norm(), 1e-3f);
     }
