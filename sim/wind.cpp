@@ -1,7 +1,6 @@
 #include "sim/wind.h"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "guides/base/hash.h"
@@ -10,7 +9,7 @@ namespace lancret {
 
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
+constexpr double kTwoPi = 2 * kPi;
 
 /// The random numbers of a wave.
 enum Salt : std::uint64_t { kHeight, kAzimuth, kPolarisation, kPhase };

@@ -18,61 +18,57 @@ constexpr std::string_view kDissipations[] = {"viscoelastic", "uniform"};
 constexpr std::string_view kIntegrators[] = {"implicit-euler", "bdf2", "semi-implicit"};
 constexpr std::string_view kShapes[] = {"sphere", "capsule", "mesh"};
 
-template <class T, class U>
-void set(T& to, const std::optional<U>& value) {
-    if (value) to = T(*value);
-}
-
 void read_material(const TomlTable& dynamics, SimulationSettings& out) {
     RodMaterial& hair = out.material;
-    set(hair.young_modulus, dynamics.number("young_modulus", 1e3, 1e15));
-    set(hair.poisson_ratio, dynamics.number("poisson_ratio", -0.99, 0.5));
-    set(hair.radius1, dynamics.number("radius", 1e-5, 10));
+    assign_if(hair.young_modulus, dynamics.number("young_modulus", 1e3, 1e15));
+    assign_if(hair.poisson_ratio, dynamics.number("poisson_ratio", -0.99, 0.5));
+    assign_if(hair.radius1, dynamics.number("radius", 1e-5, 10));
     hair.radius2 = hair.radius1;
-    set(hair.radius2, dynamics.number("radius2", 1e-5, 10));
-    set(hair.density, dynamics.number("density", 1e-3, 1e3));
+    assign_if(hair.radius2, dynamics.number("radius2", 1e-5, 10));
+    assign_if(hair.density, dynamics.number("density", 1e-3, 1e3));
     if (const auto form = dynamics.choice("dissipation", kDissipations)) {
         out.dissipation = Dissipation(*form);
     }
-    set(out.damping, dynamics.number("damping", 0, 1e6));
-    set(out.drag, dynamics.number("drag", 0, 1e3));
+    assign_if(out.damping, dynamics.number("damping", 0, 1e6));
+    assign_if(out.drag, dynamics.number("drag", 0, 1e3));
 }
 
 void read_contact(const TomlTable& contact, DynamicsSettings& out) {
     ContactSettings& c = out.simulation.contact;
-    set(out.collide_with_head, contact.boolean("head"));
-    set(c.thickness, contact.number("thickness", 0, 10));
-    set(c.stiffness, contact.number("stiffness", 1e-3, 1e9));
-    set(c.regularization, contact.number("regularization", 1e-6, 10));
-    set(c.friction, contact.number("friction", 0, 10));
-    set(c.free_root, contact.number("free_root", 0, 100));
-    set(c.stations, contact.integer("stations", 1, 16));
+    assign_if(out.collide_with_head, contact.boolean("head"));
+    assign_if(c.thickness, contact.number("thickness", 0, 10));
+    assign_if(c.stiffness, contact.number("stiffness", 1e-3, 1e9));
+    assign_if(c.regularization, contact.number("regularization", 1e-6, 10));
+    assign_if(c.friction, contact.number("friction", 0, 10));
+    assign_if(c.free_root, contact.number("free_root", 0, 100));
+    assign_if(c.stations, contact.integer("stations", 1, 16));
 }
 
 void read_strands(const TomlTable& strands, StrandContactSettings& out) {
-    set(out.radius, strands.number("radius", 0, 10));
-    set(out.stiffness, strands.number("stiffness", 0, 1e6));
-    set(out.friction_across, strands.number("friction_across", 0, 1e3));
-    set(out.friction_along, strands.number("friction_along", 0, 1e3));
-    set(out.cohesion, strands.number("cohesion", 0, 1e6));
+    assign_if(out.radius, strands.number("radius", 0, 10));
+    assign_if(out.stiffness, strands.number("stiffness", 0, 1e6));
+    assign_if(out.friction_across, strands.number("friction_across", 0, 1e3));
+    assign_if(out.friction_along, strands.number("friction_along", 0, 1e3));
+    assign_if(out.cohesion, strands.number("cohesion", 0, 1e6));
 }
 
 void read_wind(const TomlTable& wind, WindSettings& out) {
-    set(out.mean, bounded_vector(wind, "velocity"));
-    set(out.turbulence, wind.number("turbulence", 0, 1e5));
-    set(out.length_scale, wind.number("length_scale", 0.1, 1e5));
-    set(out.time_scale, wind.number("time_scale", 1e-3, 1e5));
-    set(out.seed, wind.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    assign_if(out.mean, bounded_vector(wind, "velocity"));
+    assign_if(out.turbulence, wind.number("turbulence", 0, 1e5));
+    assign_if(out.length_scale, wind.number("length_scale", 0.1, 1e5));
+    assign_if(out.time_scale, wind.number("time_scale", 1e-3, 1e5));
+    assign_if(out.seed,
+              wind.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
 }
 
 void read_step(const TomlTable& dynamics, SimulationSettings& out) {
     if (const auto choice = dynamics.choice("integrator", kIntegrators)) {
         out.step.integrator = Integrator(*choice);
     }
-    set(out.substeps, dynamics.integer("substeps", 1, 1000));
-    set(out.adaptive, dynamics.boolean("adaptive"));
-    set(out.error_tolerance, dynamics.number("error_tolerance", 1e-6, 1e3));
-    set(out.sag_free, dynamics.boolean("sag_free"));
+    assign_if(out.substeps, dynamics.integer("substeps", 1, 1000));
+    assign_if(out.adaptive, dynamics.boolean("adaptive"));
+    assign_if(out.error_tolerance, dynamics.number("error_tolerance", 1e-6, 1e3));
+    assign_if(out.sag_free, dynamics.boolean("sag_free"));
 }
 
 ColliderSettings read_collider(const TomlTable& table) {
@@ -85,13 +81,13 @@ ColliderSettings read_collider(const TomlTable& table) {
         out.shape = *file;
     } else {
         Capsule body;
-        set(body.radius, table.number("radius", 1e-3, 1e4));
-        set(body.a, bounded_vector(table, *shape == 0 ? "centre" : "from"));
+        assign_if(body.radius, table.number("radius", 1e-3, 1e4));
+        assign_if(body.a, bounded_vector(table, *shape == 0 ? "centre" : "from"));
         body.b = body.a;
-        if (*shape == 1) set(body.b, bounded_vector(table, "to"));
+        if (*shape == 1) assign_if(body.b, bounded_vector(table, "to"));
         out.shape = body;
     }
-    set(out.with_head, table.boolean("with_head"));
+    assign_if(out.with_head, table.boolean("with_head"));
     read_motion_keys(table, out.motion);
     if (out.with_head && !out.motion.keys.empty()) {
         table.fail("keys", "a collider moves with the head or by keys, not both");

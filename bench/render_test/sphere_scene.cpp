@@ -28,7 +28,7 @@ Vec3f place(const Vec3f& normal, float phase, float length, float s) {
     const Vec3f side = normal.unitOrthogonal(), other = normal.cross(side);
     Vec3f p = normal * (kSphere + length * (s - 0.45f * s * s));
     p.y() -= 0.5f * length * s * s;
-    const float angle = phase + 2 * kPi * kTurns * s,
+    const float angle = phase + 2 * kPif * kTurns * s,
                 wide = kCurl * std::min(1.0f, 4 * s);
     p += wide * (side * std::cos(angle) + other * std::sin(angle));
     const float least = kSphere + 0.3f * std::min(1.0f, 4 * s);
@@ -41,7 +41,7 @@ Curves curly_strands(const Size& size, float radius) {
     curves.add_class(size.strands, segments);
     curves.points = Buffer<Point4f>(curves.point_count());
     curves.segments = Buffer<std::uint32_t>(curves.segment_count());
-    const float golden = kPi * (3 - std::sqrt(5.0f));
+    const float golden = kPif * (3 - std::sqrt(5.0f));
     std::size_t point = 0, segment = 0;
     for (std::uint32_t i = 0; i < size.strands; ++i) {
         const float y = 1 - 2 * (float(i) + 0.5f) / float(size.strands);
@@ -49,7 +49,7 @@ Curves curly_strands(const Size& size, float radius) {
         // The angle of the golden spiral, its whole turns left out while it is exact.
         const float turn = float(std::fmod(double(golden) * i, 2 * M_PI));
         const Vec3f normal(r * std::cos(turn), y, r * std::sin(turn));
-        const float phase = 2 * kPi * unit_float(std::uint32_t(mix(i, 1)));
+        const float phase = 2 * kPif * unit_float(std::uint32_t(mix(i, 1)));
         const float length =
             kLength * (0.7f + 0.3f * unit_float(std::uint32_t(mix(i, 2))));
         for (std::uint32_t j = 0; j < segments; ++j)
@@ -67,8 +67,8 @@ TriangleMesh sphere(int around, int down) {
     TriangleMesh mesh;
     for (int y = 0; y <= down; ++y)
         for (int x = 0; x <= around; ++x) {
-            const float a = 2 * kPi * float(x) / float(around),
-                        b = kPi * float(y) / float(down);
+            const float a = 2 * kPif * float(x) / float(around),
+                        b = kPif * float(y) / float(down);
             mesh.positions.push_back(kSphere * Vec3f(std::sin(b) * std::cos(a),
                                                      std::cos(b),
                                                      std::sin(b) * std::sin(a)));

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace lancret {
 
@@ -10,5 +11,10 @@ namespace lancret {
 struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// Throws std::invalid_argument(what) if `holds` is false.
+inline void require(bool holds, std::string_view what) {
+    if (!holds) throw std::invalid_argument(std::string(what));
+}
 
 }  // namespace lancret

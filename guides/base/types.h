@@ -6,8 +6,12 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <numbers>
 
 namespace lancret {
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr float kPif = std::numbers::pi_v<float>;
 
 template <class T>
 using Vec3T = Eigen::Matrix<T, 3, 1>;

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "guides/base/atomic_file.h"
+#include "guides/base/errors.h"
 #include "guides/files/guide_cache.h"
 #include "guides/files/guide_cache_hdf5.h"
 
@@ -84,10 +84,6 @@ struct Writer {
     }
 };
 
-void require(bool holds, const std::string& what) {
-    if (!holds) throw std::invalid_argument("guide cache: " + what);
-}
-
 /// Matrices row by row: Eigen keeps them column by column.
 std::vector<double> rows_of(std::span<const Mat3> frames) {
     std::vector<double> rows;
@@ -146,16 +142,17 @@ struct Shape {
 
     explicit Shape(const Guides& pose)
         : guides(pose.size()), segments(pose.segments), lengths(pose.segment_lengths) {
-        require(guides > 0 && segments > 0, "there are no guides");
+        require(guides > 0 && segments > 0, "guide cache: there are no guides");
         require(lengths.size() == guides * std::size_t(segments),
-                "not every segment has a length");
+                "guide cache: not every segment has a length");
     }
     void check(const Guides& pose) const {
         require(pose.size() == guides && pose.segments == segments &&
                     pose.root_frames.size() == guides &&
                     pose.curvatures.size() == guides * std::size_t(segments),
-                "the frames differ in guides or segments");
-        require(pose.segment_lengths == lengths, "the frames differ in segment lengths");
+                "guide cache: the frames differ in guides or segments");
+        require(pose.segment_lengths == lengths,
+                "guide cache: the frames differ in segment lengths");
     }
 };
 
@@ -163,9 +160,9 @@ void check_restart(const Restart& restart) {
     for (const auto& [name, values] : restart.arrays) {
         require(!name.empty() && name != "." &&
                     name.find_first_of(std::string("/\0", 2)) == std::string::npos,
-                "'" + name + "' cannot name an array");
+                "guide cache: '" + name + "' cannot name an array");
         require(std::ranges::all_of(values, [](double x) { return std::isfinite(x); }),
-                "the array '" + name + "' is not finite");
+                "guide cache: the array '" + name + "' is not finite");
     }
 }
 
@@ -223,7 +220,7 @@ struct GuideCacheWriter::State {
 GuideCacheWriter::GuideCacheWriter(const std::filesystem::path& path,
                                    const GuideCacheHeader& header, int frames,
                                    const Guides* rest) {
-    require(frames > 0, "there are no frames");
+    require(frames > 0, "guide cache: there are no frames");
     const Session session;
     auto state =
         std::make_unique<State>(path, hsize_t(frames));  // goes before the session
@@ -251,14 +248,16 @@ GuideCacheWriter::~GuideCacheWriter() {
 
 void GuideCacheWriter::add(const Guides& frame) {
     const Session session;
-    require(state_->next < state_->frames, "more frames than were announced");
+    require(state_->next < state_->frames,
+            "guide cache: more frames than were announced");
     state_->begin(frame);
     state_->shape->check(frame);
     state_->sets->write(state_->writer, state_->next++, frame);
 }
 
 void GuideCacheWriter::finish(const Restart* restart) {
-    require(state_->next == state_->frames, "fewer frames than were announced");
+    require(state_->next == state_->frames,
+            "guide cache: fewer frames than were announced");
     if (restart) check_restart(*restart);
     const Session session;
     if (restart) write_restart(state_->writer, *restart);
@@ -270,7 +269,7 @@ void GuideCacheWriter::finish(const Restart* restart) {
 
 void write_guide_cache(const std::filesystem::path& path, const GuideCacheHeader& header,
                        std::span<const Guides> frames) {
-    require(frames.size() <= 0x7fffffff, "there are too many frames");
+    require(frames.size() <= 0x7fffffff, "guide cache: there are too many frames");
     GuideCacheWriter writer(path, header, int(frames.size()));
     for (const Guides& frame : frames) writer.add(frame);
     writer.finish();

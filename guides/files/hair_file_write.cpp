@@ -3,7 +3,6 @@
 #include <cstring>
 #include <limits>
 #include <ostream>
-#include <stdexcept>
 
 #include "guides/base/atomic_file.h"
 #include "guides/base/errors.h"
@@ -16,16 +15,12 @@ namespace {
 
 using namespace hair;
 
-void require(bool holds, const char* what) {
-    if (!holds) throw std::invalid_argument(std::string("write_hair: ") + what);
-}
-
 std::vector<std::uint16_t> segments_of(const std::filesystem::path& path,
                                        const Strands& strands) {
     std::vector<std::uint16_t> segments(strands.size());
     for (std::size_t i = 0; i < strands.size(); ++i) {
         require(strands.first[i + 1] > strands.first[i] + std::uint64_t(1),
-                "a strand has fewer than two points");
+                "write_hair: a strand has fewer than two points");
         const std::uint32_t count = strands.first[i + 1] - strands.first[i] - 1;
         if (count > std::numeric_limits<std::uint16_t>::max()) {
             throw InputError(fmt::format(
@@ -50,12 +45,12 @@ void write_hair(const std::filesystem::path& path, const Strands& strands) {
     const auto none_or_all = [&](const auto& v) {
         return v.empty() || v.size() == points;
     };
-    require(strands.first.size() > 1, "there are no strands");
+    require(strands.first.size() > 1, "write_hair: there are no strands");
     require(strands.first.front() == 0 && strands.first.back() == points,
-            "`first` does not span the points");
+            "write_hair: `first` does not span the points");
     require(none_or_all(strands.thickness) && none_or_all(strands.transparency) &&
                 none_or_all(strands.colours) && none_or_all(strands.uvs),
-            "an attribute array is not as long as the points");
+            "write_hair: an attribute array is not as long as the points");
     const std::vector<std::uint16_t> segments = segments_of(path, strands);
 
     Header header{};

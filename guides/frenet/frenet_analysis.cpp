@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -80,8 +79,7 @@ NormalAngles normal_angles(const std::vector<Vec3>& bends,
         const double angle =
             std::atan2(carried[i].col(2).dot(bends[i]), carried[i].col(1).dot(bends[i]));
         // The side of N is free, so it turns by the least angle modulo pi.
-        out.angle[i] =
-            last ? *last + std::remainder(angle - *last, std::numbers::pi) : angle;
+        out.angle[i] = last ? *last + std::remainder(angle - *last, kPi) : angle;
         out.bending[i] = std::cos(angle - out.angle[i]) < 0 ? -size[i] : size[i];
         last = out.angle[i];
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace lancret {
@@ -19,7 +18,7 @@ FrenetRates unwrapped(const FrenetRates& rates, double ds, const FrenetRates& ex
     const double size = turn > 0 ? turn : target.norm();
     if (size == 0) return rates;
     const Vec2 axis = (turn > 0 ? w : target) / size;
-    const double whole = 2 * std::numbers::pi;
+    const double whole = 2 * kPi;
     const double full = turn + whole * std::round((target.dot(axis) - turn) / whole);
     return {full * axis.x() / ds, full * axis.y() / ds};
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <algorithm>
-#include <numbers>
 
 namespace lancret {
 
@@ -30,7 +29,7 @@ void extend(Eigen::AlignedBox3d& box, const HelixState<double>& from, const Vec3
         const double size = std::hypot(beta, gamma);
         if (!(size > std::abs(alpha))) continue;
         const double phase = std::atan2(gamma, beta), half = std::acos(-alpha / size);
-        constexpr double kTurn = 2 * std::numbers::pi;
+        constexpr double kTurn = 2 * kPi;
         for (const double zero : {phase - half, phase + half}) {
             double angle = zero - kTurn * std::floor(zero / kTurn);
             // Of the turns, the first and the last hold the extremes: a helix gets on.

@@ -6,10 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <stdexcept>
 
 #include "guides/base/cancel.h"
+#include "guides/base/errors.h"
 #include "guides/base/hash.h"
 #include "guides/helix/helix.h"
 #include "guides/mesh/scalp.h"
@@ -19,7 +18,6 @@ namespace lancret {
 
 namespace {
 
-constexpr double kTau = 2 * std::numbers::pi;
 constexpr std::uint32_t kAround = 72, kUp = 40;  ///< cells of the head
 
 /// What a random number is for.
@@ -45,8 +43,8 @@ TriangleMesh make_head() {
     for (std::uint32_t j = 0; j <= kUp; ++j) {
         for (std::uint32_t i = 0; i <= kAround; ++i) {
             // The last column closes the first, and a pole is one place, to the bit.
-            const double azimuth = kTau * (i % kAround) / kAround;
-            const double height = std::numbers::pi * j / kUp;
+            const double azimuth = (2 * kPi) * (i % kAround) / kAround;
+            const double height = kPi * j / kUp;
             const double ring = j % kUp == 0 ? 0 : std::sin(height);
             const Vec3 p(ring * std::sin(azimuth), -std::cos(height),
                          ring * std::cos(azimuth));
@@ -130,7 +128,7 @@ double field(const Vec3& p, std::uint64_t seed, std::uint64_t salt) {
         const double wavelength = 9 + 9 * random(3);
         // No direction is too short to have one: the constant keeps it from vanishing.
         const Vec3 unit = (direction + Vec3(1e-3, 0, 0)).normalized();
-        sum += std::sin(kTau * (unit.dot(p) / wavelength + random(4)));
+        sum += std::sin((2 * kPi) * (unit.dot(p) / wavelength + random(4)));
     }
     return std::clamp(sum / 2, -1.0, 1.0);
 }
@@ -190,9 +188,9 @@ std::vector<Vec3> Strand::points() const {
     const double radius = settings.curl_radius * (1 + 0.5 * vary(kRadius, 0.25));
     const double wavelength =
         settings.curl_wavelength * (1 + vary(kWavelength, 0.15) / 3);
-    const double phase = kTau * (0.9 * field(root, settings.seed, kPhase) +
-                                 settings.phase_spread * (2 * random(kPhase) - 1));
-    const double slope = wavelength > 0 ? kTau * radius / wavelength : 0;
+    const double phase = (2 * kPi) * (0.9 * field(root, settings.seed, kPhase) +
+                                      settings.phase_spread * (2 * random(kPhase) - 1));
+    const double slope = wavelength > 0 ? (2 * kPi) * radius / wavelength : 0;
     const double layer = 0.12 + 0.9 * std::pow(random(kLayer), 1.5);
 
     // Away from the parting, which is sharp in front and fades behind the crown.
@@ -218,15 +216,15 @@ std::vector<Vec3> Strand::points() const {
         const Vec3 along = spine.cross(across);
 
         const double grown = 1 - std::exp(-s * s / 16);  // waves start away from the root
-        const double turn = wavelength > 0 ? kTau * s / wavelength + phase : 0;
+        const double turn = wavelength > 0 ? (2 * kPi) * s / wavelength + phase : 0;
         Vec3 direction =
             spine +
             grown * slope * (std::cos(turn) * across + 0.7 * std::sin(turn) * along);
         for (std::uint64_t k = 0; k < 3; ++k) {
             const double fine = 1.2 + 2.5 * random(kFrizz + 3 * k);
-            const double angle = kTau * random(kFrizz + 3 * k + 1);
+            const double angle = (2 * kPi) * random(kFrizz + 3 * k + 1);
             direction += settings.frizz * grown *
-                         std::sin(kTau * (s / fine + random(kFrizz + 3 * k + 2))) *
+                         std::sin((2 * kPi) * (s / fine + random(kFrizz + 3 * k + 2))) *
                          (std::cos(angle) * across + std::sin(angle) * along);
         }
         direction.normalize();
@@ -263,21 +261,19 @@ std::vector<Vec3> middle_parting() {
 }  // namespace
 
 void check_made(const MadeGroomSettings& s) {
-    const auto require = [](bool holds, const char* what) {
-        if (!holds) throw std::invalid_argument(std::string("make_groom: ") + what);
-    };
     constexpr double kMax = 1e4;  // also false for a NaN
     require(s.strands > 0 && s.points >= 4 &&
                 double(s.strands) * s.points <= std::numeric_limits<std::uint32_t>::max(),
-            "expected one strand or more, of four points or more");
+            "make_groom: expected one strand or more, of four points or more");
     require(s.shortest > 0 && s.longest >= s.shortest && s.longest <= kMax,
-            "expected 0 < shortest <= longest");
+            "make_groom: expected 0 < shortest <= longest");
     require(s.curl_radius >= 0 && s.curl_radius <= kMax && s.curl_wavelength >= 0 &&
                 s.curl_wavelength <= kMax && s.frizz >= 0 && s.frizz <= kMax,
-            "expected a curl radius, curl wavelength and frizz of 0 or more");
+            "make_groom: expected a curl radius, curl wavelength and frizz of 0 or more");
     require(s.phase_spread >= 0 && s.phase_spread <= kMax && s.length_spread >= 0 &&
                 s.length_spread < 1,
-            "expected a phase spread of 0 or more and a length spread within [0, 1)");
+            "make_groom: expected a phase spread of 0 or more and a length spread within "
+            "[0, 1)");
 }
 
 MadeGroom make_groom(const MadeGroomSettings& settings) {

@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "guides/base/cancel.h"
 #include "guides/base/hash.h"
@@ -14,7 +13,6 @@ namespace lancret {
 
 namespace {
 
-constexpr double kTau = 2 * std::numbers::pi;
 constexpr std::uint32_t kCells = 48;  ///< along a side
 
 /// What a random number is for.
@@ -67,7 +65,7 @@ std::vector<Vec3> blade(const MadeGroomSettings& settings, std::uint64_t id,
     const double ds = length / (settings.points - 1);
 
     const double breeze = 0.6 + 0.9 * std::sin(0.09 * root.x() + 0.05 * root.z());
-    const double angle = breeze + 0.8 * kTau * (random(kSide) - 0.5);
+    const double angle = breeze + 0.8 * (2 * kPi) * (random(kSide) - 0.5);
     Vec3 side(std::cos(angle), 0, std::sin(angle));
     side = (side - normal * normal.dot(side)).normalized();
     const double lean = 0.08 + 0.3 * random(kLean), bow = 0.25 + 1.3 * random(kBow);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include "guides/base/cancel.h"
@@ -15,8 +14,6 @@
 namespace lancret {
 
 namespace {
-
-constexpr double kTwoPi = 2 * std::numbers::pi;
 
 /// The share of a strand over which its curl grows in.
 constexpr double kGrowth = 0.2;
@@ -41,9 +38,9 @@ DrawnCurl drawn_curl(const CurlSettings& curl, std::uint64_t seed, std::size_t s
     };
     // Box and Muller's normal number.
     const double normal =
-        std::sqrt(-2 * std::log(1 - draw(0))) * std::cos(kTwoPi * draw(1));
+        std::sqrt(-2 * std::log(1 - draw(0))) * std::cos((2 * kPi) * draw(1));
     const double within = std::clamp(normal, -kMaxDeviations, kMaxDeviations);
-    return {std::max(0.0, curl.turns * (1 + curl.jitter * within)), kTwoPi * draw(2)};
+    return {std::max(0.0, curl.turns * (1 + curl.jitter * within)), (2 * kPi) * draw(2)};
 }
 
 }  // namespace
@@ -70,7 +67,7 @@ Strands wrapped_in_curls(const Strands& strands, const CurlSettings& curl,
         wound[i].reserve(n + 1);
         for (int j = 0; j <= n; ++j) {
             const double t = double(j) / n,
-                         angle = kTwoPi * drawn.turns * t + drawn.phase;
+                         angle = (2 * kPi) * drawn.turns * t + drawn.phase;
             const double radius = curl.radius * axis.length * std::min(1.0, t / kGrowth);
             const Vec3 off =
                 std::cos(angle) * frames[j].col(1) + std::sin(angle) * frames[j].col(2);

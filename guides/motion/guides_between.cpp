@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace lancret {
@@ -75,7 +74,7 @@ Vec3 turn_near(const Mat3& rotation, const Vec3& expected) {
     const Vec3 turn = rotation_log<double>(rotation);
     const double angle = turn.norm();
     const Vec3 axis = angle > 1e-9 ? Vec3(turn / angle) : expected.normalized();
-    constexpr double kTurn = 2 * std::numbers::pi;
+    constexpr double kTurn = 2 * kPi;
     return turn + std::round((expected.dot(axis) - angle) / kTurn) * kTurn * axis;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "guides/base/coordinates.h"
@@ -58,7 +57,7 @@ RigidPath make_rigid_path(std::vector<PoseKey> keys, const Vec3& pivot,
     path.frames_per_second = frames_per_second;
     for (const PoseKey& key : keys) {
         path.frames.push_back(key.frame);
-        const Vec3 radians = key.rotation * (std::numbers::pi / 180);
+        const Vec3 radians = key.rotation * (kPi / 180);
         for (int c = 0; c < 3; ++c) {
             path.values[c].push_back(key.translation[c]);
             path.values[3 + c].push_back(radians[c]);

@@ -84,6 +84,12 @@ class TomlTable {
     std::shared_ptr<Node> node_;
 };
 
+/// Assigns the value, if there is one.
+template <class T, class U>
+void assign_if(T& to, const std::optional<U>& value) {
+    if (value) to = T(*value);
+}
+
 /// The one of `names` that `word` was most likely meant to be; nothing where none is
 /// near.
 std::optional<std::string_view> nearest_name(std::string_view word,

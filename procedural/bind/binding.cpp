@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "guides/base/cancel.h"
+#include "guides/base/errors.h"
 #include "procedural/bind/candidates.h"
 #include "procedural/bind/guide_lookup.h"
 #include "procedural/bind/weights.h"
@@ -129,9 +129,6 @@ class Binder {
 
 void validate(const Roots& roots, const Guides& guides, const BindSettings& settings,
               const BindBorders& borders) {
-    const auto require = [](bool holds, const char* what) {
-        if (!holds) throw std::invalid_argument(what);
-    };
     require(guides.size() > 0, "bind: no guides");
     require(settings.neighbours >= 1 && settings.neighbours <= kMaxNeighbours,
             "bind: neighbours out of range");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "guides/base/cancel.h"
 #include "guides/helix/super_helix.h"
@@ -89,7 +88,7 @@ std::vector<Vec3> bishop_vectors(const GuidePath& path, double ds) {
 double turns_of(const std::vector<Vec3>& u, double ds) {
     double angle = 0;
     for (const Vec3& k : u) angle += std::hypot(k.y(), k.z()) * ds;
-    return angle / (2 * std::numbers::pi);
+    return angle / (2 * kPi);
 }
 
 /// Writes intervals, places and Darboux vectors of guide g.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "procedural/blend/anchor.h"
 
@@ -42,8 +41,7 @@ double anchored_motion_limit(const AnchoredTimes& times) {
         const double apart = std::hypot(p.cosine - q.cosine, (p.sine - q.sine).norm()),
                      sizes = std::hypot(p.cosine, p.sine.norm()) +
                              std::hypot(q.cosine, q.sine.norm());
-        largest = std::max(
-            largest, 4.9 * alpha + 2.4 * speed + 2 * std::numbers::pi * apart / sizes);
+        largest = std::max(largest, 4.9 * alpha + 2.4 * speed + 2 * kPi * apart / sizes);
     }
     // The direction of a step of arc length turns by at most the turn of the frame at its
     // start and half the turns of both ends: 1.5 times the largest.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "guides/base/coordinates.h"
 #include "guides/base/errors.h"
@@ -22,42 +21,37 @@ constexpr std::string_view kCurveBases[] = {"bspline", "hermite"};
 constexpr std::string_view kMadeKinds[] = {"head", "lawn"};
 constexpr std::string_view kShapes[] = {"flat", "round", "ribbon"};
 
-template <class T, class U>
-void set(T& to, const std::optional<U>& value) {
-    if (value) to = T(*value);
-}
-
 void read_scene(const TomlTable& scene, SceneUnits& out) {
     if (const auto axis = scene.choice("up", kAxes)) {
         out.up = Vec3::Unit(int(*axis));
         out.gravity = -981 * out.up;
     }
-    set(out.metres_per_unit, scene.number("metres_per_unit", 1e-6, 1e6));
-    set(out.gravity, scene.vector("gravity"));
+    assign_if(out.metres_per_unit, scene.number("metres_per_unit", 1e-6, 1e6));
+    assign_if(out.gravity, scene.vector("gravity"));
 }
 
 void read_made(const TomlTable& made, MadeGroomSettings& out) {
     if (const auto kind = made.choice("kind", kMadeKinds)) out.kind = MadeKind(*kind);
-    set(out.strands, made.integer("strands", 1, 1'000'000));
-    set(out.seed, made.seed("seed"));
-    set(out.shortest, made.number("shortest", 0.1, 200));
-    set(out.longest, made.number("longest", 0.1, 200));
+    assign_if(out.strands, made.integer("strands", 1, 1'000'000));
+    assign_if(out.seed, made.seed("seed"));
+    assign_if(out.shortest, made.number("shortest", 0.1, 200));
+    assign_if(out.longest, made.number("longest", 0.1, 200));
     if (out.shortest > out.longest) {
         made.fail(made.has("shortest") ? "shortest" : "longest",
                   fmt::format("the shortest strand, {} cm, must not be longer than the "
                               "longest, {} cm",
                               out.shortest, out.longest));
     }
-    set(out.curl_radius, made.number("curl_radius", 0, 10));
-    set(out.curl_wavelength, made.number("curl_wavelength", 0.1, 100));
-    set(out.frizz, made.number("frizz", 0, 10));
-    set(out.points, made.integer("points", 4, 1024));
-    set(out.phase_spread, made.number("phase_spread", 0, 1));
-    set(out.length_spread, made.number("length_spread", 0, 0.9));
+    assign_if(out.curl_radius, made.number("curl_radius", 0, 10));
+    assign_if(out.curl_wavelength, made.number("curl_wavelength", 0.1, 100));
+    assign_if(out.frizz, made.number("frizz", 0, 10));
+    assign_if(out.points, made.integer("points", 4, 1024));
+    assign_if(out.phase_spread, made.number("phase_spread", 0, 1));
+    assign_if(out.length_spread, made.number("length_spread", 0, 0.9));
 }
 
 void read_guides_table(const TomlTable& guides, GroomSettings& out) {
-    set(out.strands_file, guides.path("file"));
+    assign_if(out.strands_file, guides.path("file"));
     if (guides.has("file") && guides.has("made")) {
         guides.fail("made", "a groom has either a 'file' or is 'made', not both");
     }
@@ -65,8 +59,8 @@ void read_guides_table(const TomlTable& guides, GroomSettings& out) {
     if (const auto basis = guides.choice("basis", kBases)) {
         out.basis = *basis == 0 ? Basis::catmull_rom : Basis::bspline;
     }
-    set(out.guides.number, guides.integer("count", 1, kMaxStrands));
-    set(out.guides.share, guides.number("share", 0, 1));
+    assign_if(out.guides.number, guides.integer("count", 1, kMaxStrands));
+    assign_if(out.guides.share, guides.number("share", 0, 1));
     // What a caller says takes the place of what the file says.
     const bool own_count = guides.is_overridden("count"),
                own_share = guides.is_overridden("share");
@@ -75,30 +69,30 @@ void read_guides_table(const TomlTable& guides, GroomSettings& out) {
     if (out.guides.number && out.guides.share) {
         guides.fail("share", "guides are chosen by 'count' or by 'share', not both");
     }
-    set(out.fit.segments, guides.integer("segments", 1, 200));
-    set(out.fit.fit_root_frame, guides.boolean("fit_root_frame"));
+    assign_if(out.fit.segments, guides.integer("segments", 1, 200));
+    assign_if(out.fit.fit_root_frame, guides.boolean("fit_root_frame"));
 }
 
 void read_strands(const TomlTable& strands, GroomSettings& out) {
-    set(out.strands, strands.integer("count", 1, kMaxStrands));
-    set(out.seed, strands.seed("seed"));
-    set(out.density, strands.number("density", kMinDensity, 1));
+    assign_if(out.strands, strands.integer("count", 1, kMaxStrands));
+    assign_if(out.seed, strands.seed("seed"));
+    assign_if(out.density, strands.number("density", kMinDensity, 1));
     std::vector<std::string_view> names;
     for (const BlendTraits& entry : blends()) names.push_back(entry.name);
     if (const auto blend = strands.choice("blend", names)) {
         out.expand.blend = blends()[*blend].blend;
     }
-    set(out.bind.neighbours, strands.integer("neighbours", 1, kMaxNeighbours));
-    set(out.bind.exponent, strands.number("exponent", 0, 16));
-    set(out.bind.facing, strands.boolean("facing"));
-    set(out.bind.max_distance, strands.number("max_distance", 1e-3, 1e6));
+    assign_if(out.bind.neighbours, strands.integer("neighbours", 1, kMaxNeighbours));
+    assign_if(out.bind.exponent, strands.number("exponent", 0, 16));
+    assign_if(out.bind.facing, strands.boolean("facing"));
+    assign_if(out.bind.max_distance, strands.number("max_distance", 1e-3, 1e6));
     if (const auto degrees = strands.number("max_angle_degrees", 0.1, 180)) {
-        out.bind.max_angle = *degrees * std::numbers::pi / 180;
+        out.bind.max_angle = *degrees * kPi / 180;
     }
-    set(out.bind.length_scale, strands.number("length_scale", 0.001, 100));
-    set(out.tolerance, strands.number("tolerance", 1e-4, 10));
+    assign_if(out.bind.length_scale, strands.number("length_scale", 0.001, 100));
+    assign_if(out.tolerance, strands.number("tolerance", 1e-4, 10));
     if (const auto n = strands.integer("intervals", 1, 1000)) out.intervals = int(*n);
-    set(out.adapt, strands.boolean("adapt"));
+    assign_if(out.adapt, strands.boolean("adapt"));
     if (const auto basis = strands.choice("curve", kCurveBases)) {
         out.expand.basis = *basis == 0 ? CurveBasis::bspline : CurveBasis::hermite;
     }
@@ -114,8 +108,8 @@ void read_strands(const TomlTable& strands, GroomSettings& out) {
 
 void read_borders(const TomlTable& toml, GroomSettings& out) {
     const TomlTable regions = toml.table("regions");
-    set(out.regions.texture, regions.path("texture"));
-    set(out.regions.ids, regions.path("ids"));
+    assign_if(out.regions.texture, regions.path("texture"));
+    assign_if(out.regions.ids, regions.path("ids"));
     if (regions.has("texture") && regions.has("ids")) {
         regions.fail("ids", "regions come from a 'texture' or from 'ids', not from both");
     }
@@ -183,8 +177,8 @@ GroomSettings read_groom(const TomlTable& toml, std::string name) {
     read_scene(toml.table("scene"), out.scene);
     read_guides_table(toml.table("guides"), out);
     const TomlTable scalp = toml.table("scalp");
-    set(out.scalp_file, scalp.path("file"));
-    set(out.growth_distance, scalp.number("growth_distance", 1e-3, 1e4));
+    assign_if(out.scalp_file, scalp.path("file"));
+    assign_if(out.growth_distance, scalp.number("growth_distance", 1e-3, 1e4));
     read_strands(toml.table("strands"), out);
     read_borders(toml, out);
     const TomlTable width = toml.table("width");

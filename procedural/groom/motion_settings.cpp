@@ -13,11 +13,6 @@ namespace {
 
 constexpr double kMaxFrame = 1e6, kMaxCoordinate = 1e6;
 
-template <class T, class U>
-void set(T& to, const std::optional<U>& value) {
-    if (value) to = T(*value);
-}
-
 }  // namespace
 
 std::optional<Vec3> bounded_vector(const TomlTable& table, std::string_view key) {
@@ -30,7 +25,7 @@ std::optional<Vec3> bounded_vector(const TomlTable& table, std::string_view key)
 }
 
 void read_motion_keys(const TomlTable& table, MotionSettings& out) {
-    set(out.pivot, bounded_vector(table, "pivot"));
+    assign_if(out.pivot, bounded_vector(table, "pivot"));
     for (const TomlTable& key : table.tables("keys")) {
         PoseKey pose;
         const auto frame = key.number("frame", -kMaxFrame, kMaxFrame);
@@ -39,8 +34,8 @@ void read_motion_keys(const TomlTable& table, MotionSettings& out) {
         if (!out.keys.empty() && pose.frame < out.keys.back().frame + 1e-6) {
             key.fail("frame", "the frames of keys must rise");
         }
-        set(pose.translation, bounded_vector(key, "move"));
-        set(pose.rotation, bounded_vector(key, "turn"));
+        assign_if(pose.translation, bounded_vector(key, "move"));
+        assign_if(pose.rotation, bounded_vector(key, "turn"));
         out.keys.push_back(pose);
     }
 }

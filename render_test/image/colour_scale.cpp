@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace lancret {
 
@@ -10,7 +9,7 @@ namespace {
 
 /// As oklab_colour, without clamping.
 Vec3f unclamped_oklab(float lightness, float chroma, float hue) {
-    const float angle = hue * std::numbers::pi_v<float> / 180;
+    const float angle = hue * kPif / 180;
     const float a = chroma * std::cos(angle), b = chroma * std::sin(angle);
     const auto cube = [](float x) { return x * x * x; };
     const float l = cube(lightness + 0.3963377774f * a + 0.2158037573f * b);

@@ -85,10 +85,10 @@ Environment::Environment(Texture map, const Vec3f& up, float rotation)
 Environment::Place Environment::place_of(const Vec3f& direction) const {
     const Vec3f d = to_map_ * direction;
     // A map of one column does not vary with azimuth.
-    float turn = map_.width == 1 ? 0 : std::atan2(d.z(), d.x()) / (2 * kPi);
+    float turn = map_.width == 1 ? 0 : std::atan2(d.z(), d.x()) / (2 * kPif);
     if (turn < 0) turn += 1;
     const float across = std::sqrt(d.x() * d.x() + d.z() * d.z());
-    const float polar = std::atan2(across, d.y()) / kPi;
+    const float polar = std::atan2(across, d.y()) / kPif;
     return {turn * float(map_.width), polar * float(map_.height)};
 }
 
@@ -97,11 +97,11 @@ Vec3f Environment::radiance(const Vec3f& direction) const {
 }
 
 float Environment::pdf(const Vec3f& direction) const {
-    return map_.texels.size() == 1 ? 1 / (4 * kPi) : pdf(place_of(direction));
+    return map_.texels.size() == 1 ? 1 / (4 * kPif) : pdf(place_of(direction));
 }
 
 LightSample Environment::along(const Vec3f& direction) const {
-    if (map_.texels.size() == 1) return {direction, map_.texels[0], 1 / (4 * kPi)};
+    if (map_.texels.size() == 1) return {direction, map_.texels[0], 1 / (4 * kPif)};
     const Place place = place_of(direction);
     return {direction, radiance(place), pdf(place)};
 }
@@ -126,7 +126,7 @@ float Environment::texel_pdf(int x, int y) const {
     const int w = map_.width;
     const float* column = &columns_[std::size_t(y) * (w + 1) + x];
     const float share = (rows_[y + 1] - rows_[y]) * (column[1] - column[0]);
-    return share * float(w) / (2 * kPi * (edges_[y] - edges_[y + 1]));
+    return share * float(w) / (2 * kPif * (edges_[y] - edges_[y + 1]));
 }
 
 LightSample Environment::sample(const Vec2f& random) const {
@@ -136,7 +136,7 @@ LightSample Environment::sample(const Vec2f& random) const {
     const int x = bin_of(std::span(columns_).subspan(std::size_t(y) * (w + 1), w + 1), u);
     const float cosine = edges_[y] + v * (edges_[y + 1] - edges_[y]);
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    const float phi = 2 * kPi * (float(x) + u) / float(w);
+    const float phi = 2 * kPif * (float(x) + u) / float(w);
     LightSample sample;
     sample.direction =
         to_map_.transpose() * Vec3f(sine * std::cos(phi), cosine, sine * std::sin(phi));
@@ -148,7 +148,7 @@ LightSample Environment::sample(const Vec2f& random) const {
 Texture sky_map(const Vec3f& zenith, const Vec3f& horizon, const Vec3f& ground) {
     Texture map{1, 64, {}};
     for (int y = 0; y < map.height; ++y) {
-        const float up = std::cos(kPi * (float(y) + 0.5f) / float(map.height));
+        const float up = std::cos(kPif * (float(y) + 0.5f) / float(map.height));
         const Vec3f& end = up > 0 ? zenith : ground;
         map.texels.push_back(horizon + std::sqrt(std::abs(up)) * (end - horizon));
     }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "guides/base/errors.h"
 #include "render_test/sampling/sampling.h"
 
 namespace lancret {
@@ -11,10 +11,6 @@ namespace {
 
 using Disc = Lights::Disc;
 using Rectangle = Lights::Rectangle;
-
-void require(bool holds, const char* what) {
-    if (!holds) throw std::invalid_argument(what);
-}
 
 bool is_light(const Vec3f& colour) {
     return colour.allFinite() && colour.minCoeff() >= 0;
@@ -33,8 +29,8 @@ Disc disc_of(const DistantLight& light) {
     Disc disc;
     disc.frame = frame_about(light.direction.normalized());
     disc.sine2 = sine * sine;
-    disc.radiance = light.irradiance / (kPi * disc.sine2);
-    disc.pdf = 1 / (4 * kPi * half * half);
+    disc.radiance = light.irradiance / (kPif * disc.sine2);
+    disc.pdf = 1 / (4 * kPif * half * half);
     return disc;
 }
 
@@ -69,7 +65,7 @@ float cone_versine(float sine2) {
 /// A direction about the third column of `frame`, uniform on the cap of that versine.
 Vec3f cap_direction(const Mat3f& frame, float versine, const Vec2f& random) {
     const float v = random.x() * versine;
-    const float r = std::sqrt(std::max(0.0f, v * (2 - v))), phi = 2 * kPi * random.y();
+    const float r = std::sqrt(std::max(0.0f, v * (2 - v))), phi = 2 * kPif * random.y();
     return (frame * Vec3f(r * std::cos(phi), r * std::sin(phi), 1 - v)).normalized();
 }
 
@@ -80,7 +76,7 @@ LightSample sample_of(const Environment& environment, const Vec3f&, const Vec2f&
 
 LightSample sample_of(const Disc& disc, const Vec3f&, const Vec2f& random) {
     // Reduced by a rounding, so that `met` agrees.
-    const float versine = 0.99999f / (2 * kPi * disc.pdf);
+    const float versine = 0.99999f / (2 * kPif * disc.pdf);
     return {cap_direction(disc.frame, versine, random), disc.radiance, disc.pdf};
 }
 
@@ -107,10 +103,10 @@ LightSample sample_of(const SphereLight& s, const Vec3f& from, const Vec2f& rand
         const float versine = cone_versine(r2 / d2);
         sample.direction =
             cap_direction(frame_about(towards / std::sqrt(d2)), versine, random);
-        sample.pdf = 1 / (2 * kPi * versine);
+        sample.pdf = 1 / (2 * kPif * versine);
     } else {
         sample.direction = uniform_sphere(random);
-        sample.pdf = 1 / (4 * kPi);
+        sample.pdf = 1 / (4 * kPif);
     }
     const float along = towards.dot(sample.direction);
     const float across2 = (towards - along * sample.direction).squaredNorm();
@@ -152,9 +148,9 @@ LightSample met(const SphereLight& s, const Vec3f& from, const Vec3f& direction)
     if (d2 > r2 && (along <= 0 || across2 > r2)) return {};
     const float half = std::sqrt(std::max(0.0f, r2 - across2));
     if (d2 > r2)
-        return {direction, s.radiance, 1 / (2 * kPi * cone_versine(r2 / d2)),
+        return {direction, s.radiance, 1 / (2 * kPif * cone_versine(r2 / d2)),
                 std::max(along - half, 0.0f)};
-    return {direction, s.radiance, 1 / (4 * kPi), along + half};
+    return {direction, s.radiance, 1 / (4 * kPif), along + half};
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ Blade::Blade(const BladeMaterial& material, const Vec3f& colour, const Vec3f& wo
 
 BsdfValue Blade::near_side(const Vec3f& wi) const {
     if (coated_) return coated_->evaluate(wi);
-    return {near_ * (wi.z() / kPi), wi.z() / kPi};
+    return {near_ * (wi.z() / kPif), wi.z() / kPif};
 }
 
 BsdfValue Blade::evaluate(const Vec3f& wi) const {
@@ -25,7 +25,7 @@ BsdfValue Blade::evaluate(const Vec3f& wi) const {
         at = near_side(wi);
         at.pdf *= 1 - far_chance_;
     } else if (wi.z() < 0) {
-        const float cosine = std::min(-wi.z(), 1.0f) / kPi;
+        const float cosine = std::min(-wi.z(), 1.0f) / kPif;
         const float leaves =
             coated_ ? 1 - fresnel_dielectric(std::min(-wi.z(), 1.0f), kCoatEta) : 1.0f;
         at.value = far_ * (enters_ * leaves * cosine);

@@ -69,12 +69,12 @@ FarHairBsdf::FarHairBsdf(const HairModel& model, const FarTable& table,
     }
     for (int p = 0; p < kHairLobes; ++p) probability_[p] = luminance(energy_[p]);
     probability_ /= probability_.sum();
-    const Array4f unabsorbed(energy.r, energy.tt.sum(), energy.trt.sum(), 2 * kPi);
+    const Array4f unabsorbed(energy.r, energy.tt.sum(), energy.trt.sum(), 2 * kPif);
     density_ = (unabsorbed > 0).select(probability_ / unabsorbed, 0.0f);
 }
 
 FarTable::Node FarHairBsdf::node(float phi) const {
-    const Place cell = place_of(phi / kPi, table_->cells);
+    const Place cell = place_of(phi / kPif, table_->cells);
     const std::size_t first = std::size_t(row_) * (table_->cells + 1) + cell.span;
     const FarTable::Node* here = &table_->nodes[first];
     const FarTable::Node* next = here + table_->cells + 1;
@@ -91,7 +91,7 @@ BsdfValue FarHairBsdf::evaluate(float sine_i, float cosine_i, float phi) const {
     const FarTable::Node n = node(phi);
     const Array4f m = longitudinal(*model_, wo_, sine_i, cosine_i);
     BsdfValue at;
-    at.value = energy_[3] * (m[3] / (2 * kPi));
+    at.value = energy_[3] * (m[3] / (2 * kPif));
     for (int channel = 0; channel < 3; ++channel)
         at.value[channel] += m[0] * n.r + m[1] * absorbed(n.tt, once_[channel]) +
                              m[2] * absorbed(n.trt, twice_[channel]);
@@ -122,7 +122,7 @@ float FarHairBsdf::sampled_azimuth(int lobe, float pick, float random) const {
         width > 0 ? std::clamp((random - below[cell]) / width, 0.0f, 1.0f) : 0;
     const float root = a + std::sqrt((1 - v) * a * a + v * b * b);
     const float share = root > 0 ? std::min(1.0f, v * (a + b) / root) : v;
-    return kPi * (float(cell) + share) / float(table_->cells);
+    return kPif * (float(cell) + share) / float(table_->cells);
 }
 
 std::optional<BsdfSample> FarHairBsdf::sample(float pick, float azimuth,
@@ -137,7 +137,7 @@ std::optional<BsdfSample> FarHairBsdf::sample(float pick, float azimuth,
     const float phi =
         p + 1 < kHairLobes
             ? sampled_azimuth(p, std::min(pick / probability_[p], 1.0f), random)
-            : kPi * random;
+            : kPif * random;
     const float across = left ? -std::sin(phi) : std::sin(phi);
     BsdfSample sample;
     sample.direction = {sine_i, cosine_i * across, cosine_i * std::cos(phi)};

@@ -29,12 +29,12 @@ struct Offset {
 
 std::vector<Offset> offsets_at(const HairModel& model, float cosine_o) {
     const int count =
-        std::clamp(int(std::ceil(2 * kPi / model.s)), kMinOffsets, kMaxOffsets);
+        std::clamp(int(std::ceil(2 * kPif / model.s)), kMinOffsets, kMaxOffsets);
     const float index = std::sqrt(model.eta * model.eta - 1 + cosine_o * cosine_o);
     std::vector<Offset> offsets;
     double sum = 0;
     for (int i = 0; i < count; ++i) {
-        const float gamma = 0.5f * kPi * (float(i) + 0.5f) / float(count);
+        const float gamma = 0.5f * kPif * (float(i) + 0.5f) / float(count);
         const float sine_t = std::sin(gamma) * cosine_o / index;
         const float gamma_t = std::asin(sine_t);
         Offset o{std::cos(gamma),
@@ -42,7 +42,7 @@ std::vector<Offset> offsets_at(const HairModel& model, float cosine_o) {
                  std::sqrt(1 - sine_t * sine_t),
                  {}};
         for (int p = 0; p < 3; ++p)
-            o.azimuth[p] = -2 * gamma + float(p) * (2 * gamma_t + kPi);
+            o.azimuth[p] = -2 * gamma + float(p) * (2 * gamma_t + kPif);
         sum += o.weight;
         offsets.push_back(o);
     }
@@ -62,19 +62,19 @@ ArrayXf logistic_distribution(const HairModel& model, const ArrayXf& x) {
 template <class Add>
 void spread_over(const HairModel& model, int cells, float azimuth, const Add& add) {
     constexpr float kReach = 20;  // in s: exp(-20) = 2e-9 of D lies beyond
-    const float step = kPi / float(cells);
+    const float step = kPif / float(cells);
     const int around = 2 * cells;
-    const float first = azimuth - std::min(kPi, kReach * model.s);
+    const float first = azimuth - std::min(kPif, kReach * model.s);
     // The first boundary between nodes at or after `first`.
     const auto boundary = std::ptrdiff_t(std::ceil(first / step - 0.5f));
     const int count =
-        std::min(around, 1 + int(std::ceil(2 * std::min(kPi, kReach * model.s) / step)));
+        std::min(around, 1 + int(std::ceil(2 * std::min(kPif, kReach * model.s) / step)));
     const ArrayXf angles =
         ((ArrayXf::LinSpaced(count, 0, float(count - 1)) + (float(boundary) + 0.5f)) *
              step -
          azimuth)
-            .max(-kPi)
-            .min(kPi);
+            .max(-kPif)
+            .min(kPif);
     const ArrayXf below = logistic_distribution(model, angles);
     for (int i = 0; i < count; ++i) {
         // The last mass is that from the last boundary around to the first.
@@ -99,7 +99,7 @@ Array4f lagrange(const Array4f& nodes, float c) {
 FarTable::Energy integral(const FarTable::Node* nodes, int cells) {
     FarTable::Energy sum;
     for (int j = 0; j <= cells; ++j) {
-        const float width = (j == 0 || j == cells ? 1.0f : 2.0f) * kPi / float(cells);
+        const float width = (j == 0 || j == cells ? 1.0f : 2.0f) * kPif / float(cells);
         sum.r += width * nodes[j].r;
         sum.tt += width * nodes[j].tt;
         sum.trt += width * nodes[j].trt;
@@ -117,8 +117,8 @@ void fill_row(const HairModel& model, int row, FarTable& table) {
     for (const Offset& o : offsets_at(model, float(row) / kFarRows)) {
         const float enters = 1 - o.reflected;
         const Array4f through =
-            o.weight * enters * enters * lagrange(table.c, o.c) * float(cells) / kPi;
-        const float surface = o.weight * o.reflected * float(cells) / kPi;
+            o.weight * enters * enters * lagrange(table.c, o.c) * float(cells) / kPif;
+        const float surface = o.weight * o.reflected * float(cells) / kPif;
         // An inner node has half of its mass at each sign of phi.
         const auto share = [&](int j) { return j == 0 || j == cells ? 1.0f : 0.5f; };
         spread_over(model, cells, o.azimuth[0],
@@ -160,7 +160,7 @@ void fill_distribution(int row, FarTable& table) {
 
 FarTable::FarTable(const HairModel& model)
     // Cells of a fifth of D's scale, within limits.
-    : cells(std::clamp(int(std::ceil(kPi / (0.2f * model.s))), 64, 512)),
+    : cells(std::clamp(int(std::ceil(kPif / (0.2f * model.s))), 64, 512)),
       least_c(std::sqrt(1 - 1 / (model.eta * model.eta))),
       nodes(std::size_t(kRowCount) * (cells + 1)),
       energy(kRowCount),
@@ -168,7 +168,7 @@ FarTable::FarTable(const HairModel& model)
       distribution(3 * std::size_t(kRowCount) * (cells + 1)) {
     for (int k = 0; k < 4; ++k)
         c[k] = 0.5f * (1 + least_c) +
-               0.5f * (1 - least_c) * std::cos((float(k) + 0.5f) * kPi / 4);
+               0.5f * (1 - least_c) * std::cos((float(k) + 0.5f) * kPif / 4);
     tbb::parallel_for(0, kRowCount, [&](int row) {
         fill_row(model, row, *this);
         fill_distribution(row, *this);

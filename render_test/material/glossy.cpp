@@ -8,7 +8,7 @@ float square(float x) { return x * x; }
 /// GGX: the density of facets with unit normal `m`, by projected area.
 float facets(const Vec3f& m, float alpha) {
     const float t = (square(m.x()) + square(m.y())) / square(alpha) + square(m.z());
-    return 1 / (kPi * square(alpha) * square(t));
+    return 1 / (kPif * square(alpha) * square(t));
 }
 
 /// Smith's Lambda: the ratio of hidden to visible facets in direction `w`.
@@ -20,7 +20,7 @@ float hidden(const Vec3f& w, float alpha) {
 /// Samples a facet by its area visible from `wo` [Dupuy and Benyoub 2023].
 Vec3f seen_facet(const Vec3f& wo, float alpha, const Vec2f& random) {
     const Vec3f o = Vec3f(alpha * wo.x(), alpha * wo.y(), wo.z()).normalized();
-    const float z = (1 - random.y()) * (1 + o.z()) - o.z(), phi = 2 * kPi * random.x();
+    const float z = (1 - random.y()) * (1 + o.z()) - o.z(), phi = 2 * kPif * random.x();
     const float r = std::sqrt(std::max(0.0f, 1 - z * z));
     const Vec3f h = Vec3f(r * std::cos(phi), r * std::sin(phi), z) + o;
     return Vec3f(alpha * h.x(), alpha * h.y(), std::max(h.z(), 1e-7f)).normalized();
@@ -47,8 +47,8 @@ BsdfValue Glossy::evaluate(const Vec3f& wi) const {
     const float through = (1 - fresnel_) * (1 - fresnel_dielectric(wi.z(), kCoatEta));
     BsdfValue at;
     at.value =
-        Vec3f::Constant(f * d / (1 + out + in)) + colour_ * (through * wi.z() / kPi);
-    at.pdf = coat_ * d / (1 + out) + (1 - coat_) * wi.z() / kPi;
+        Vec3f::Constant(f * d / (1 + out + in)) + colour_ * (through * wi.z() / kPif);
+    at.pdf = coat_ * d / (1 + out) + (1 - coat_) * wi.z() / kPif;
     return at;
 }
 

@@ -29,18 +29,18 @@ float power(float x, int n) {
 Array4f azimuthal(const Array4f& x, const HairModel& model) {
     const Array4f e = (-x.abs() / model.s).exp();
     Array4f n = e / (model.s * (1 - 2 * model.s_tail) * (1 + e).square());
-    n[kHairLobes - 1] = 1 / (2 * kPi);
+    n[kHairLobes - 1] = 1 / (2 * kPif);
     return n;
 }
 
 float sampled_azimuth(float random, const HairModel& model) {
     const float p = model.s_tail + random * (1 - 2 * model.s_tail);
-    return std::clamp(model.s * std::log(p / (1 - p)), -kPi, kPi);
+    return std::clamp(model.s * std::log(p / (1 - p)), -kPif, kPif);
 }
 
 /// Angles, reduced to [-pi, pi] by whole turns.
 Array4f wrapped(const Array4f& angle) {
-    return angle - 2 * kPi * (angle / (2 * kPi) + 0.5f).floor();
+    return angle - 2 * kPif * (angle / (2 * kPif) + 0.5f).floor();
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ HairModel::HairModel(const HairMaterial& material)
     }
     constexpr float kLogisticOfNormal = 0.626657069f;  // sqrt(pi / 8)
     s = kLogisticOfNormal * (0.265f * n + 1.194f * n * n + 5.372f * power(n, 22));
-    s_tail = 1 / (1 + std::exp(kPi / s));
+    s_tail = 1 / (1 + std::exp(kPif / s));
 }
 
 HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo, float h)
@@ -119,7 +119,7 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo
     wo_ = turned_inclination(model, sine_o, cosine_o);
     // wo's azimuth is pi / 2 [Marschner et al. 2003, Eq. 3].
     const Array4f order(0, 1, 2, 3);
-    phi_ = kPi / 2 - 2 * gamma_o + order * (2 * gamma_t + kPi);
+    phi_ = kPif / 2 - 2 * gamma_o + order * (2 * gamma_t + kPif);
 }
 
 HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo, float h,
@@ -178,7 +178,7 @@ std::optional<BsdfSample> HairBsdf::sample(float pick, float azimuth,
     const float sine_i = sampled_sine(*model_, wo_, p, longitude);
     const float cosine_i = std::sqrt(1 - square(sine_i));
     const float phi = p + 1 < kHairLobes ? phi_[p] + sampled_azimuth(azimuth, *model_)
-                                         : 2 * kPi * azimuth;
+                                         : 2 * kPif * azimuth;
     BsdfSample sample;
     sample.direction = {sine_i, cosine_i * std::cos(phi), cosine_i * std::sin(phi)};
     sample.at = evaluate(sine_i, cosine_i, phi);

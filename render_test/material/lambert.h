@@ -31,7 +31,7 @@ class Lambert {
         : colour_(surface_colour(material, hit)) {}
     BsdfValue evaluate(const Vec3f& wi) const {
         if (wi.z() <= 0) return {};
-        return {colour_ * (wi.z() / kPi), wi.z() / kPi};
+        return {colour_ * (wi.z() / kPif), wi.z() / kPif};
     }
     std::optional<BsdfSample> sample(float, float, const Vec2f& random) const {
         BsdfSample sample;

@@ -66,7 +66,7 @@ float sampled_sine(const HairModel& model, const TurnedInclination& wo, int lobe
         2.0f, -model.variance[lobe] * std::log1p(-model.spread[lobe] * random.x()));
     const float across = std::sqrt(versine * (2 - versine));
     return std::clamp(-(1 - versine) * wo.sine[lobe] +
-                          across * std::cos(2 * kPi * random.y()) * wo.cosine[lobe],
+                          across * std::cos(2 * kPif * random.y()) * wo.cosine[lobe],
                       -1.0f, 1.0f);
 }
 

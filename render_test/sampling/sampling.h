@@ -3,13 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "guides/base/types.h"
 
 namespace lancret {
-
-inline constexpr float kPi = std::numbers::pi_v<float>;
 
 inline float luminance(const Vec3f& colour) {
     return colour.dot(Vec3f(0.2126f, 0.7152f, 0.0722f));
@@ -17,14 +14,14 @@ inline float luminance(const Vec3f& colour) {
 
 /// Uniform on the unit sphere; density 1 / (4 pi).
 inline Vec3f uniform_sphere(const Vec2f& random) {
-    const float z = 1 - 2 * random.x(), phi = 2 * kPi * random.y();
+    const float z = 1 - 2 * random.x(), phi = 2 * kPif * random.y();
     const float r = std::sqrt(std::max(0.0f, 1 - z * z));
     return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
 /// Density cos / pi on the hemisphere about +z.
 inline Vec3f cosine_hemisphere(const Vec2f& random) {
-    const float r = std::sqrt(random.x()), phi = 2 * kPi * random.y();
+    const float r = std::sqrt(random.x()), phi = 2 * kPif * random.y();
     return {r * std::cos(phi), r * std::sin(phi),
             std::sqrt(std::max(0.0f, 1 - random.x()))};
 }

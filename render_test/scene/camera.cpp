@@ -10,7 +10,7 @@ namespace lancret {
 namespace {
 
 void check_lens(float field_of_view, float aspect) {
-    if (!(field_of_view > 0 && field_of_view < kPi) || !(aspect > 0))
+    if (!(field_of_view > 0 && field_of_view < kPif) || !(aspect > 0))
         throw std::invalid_argument(
             "a camera's field of view must be between 0 and 180 degrees, its aspect "
             "above 0");
@@ -31,7 +31,7 @@ Ray Camera::ray(const Vec2f& place, const Vec2f& random) const {
     Ray ray = this->ray(place);
     if (!(lens_radius > 0)) return ray;
     const Vec3f focus = focus_distance / ray.direction.dot(view()) * ray.direction;
-    const float r = lens_radius * std::sqrt(random.x()), phi = 2 * kPi * random.y();
+    const float r = lens_radius * std::sqrt(random.x()), phi = 2 * kPif * random.y();
     const Vec3f on_lens = frame * Vec3f(r * std::cos(phi), r * std::sin(phi), 0);
     ray.origin = position + on_lens;
     ray.direction = (focus - on_lens).normalized();

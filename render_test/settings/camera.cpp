@@ -38,7 +38,7 @@ std::optional<Eigen::Matrix4d> read_matrix(const TomlTable& camera, float field_
 
 CameraSettings read_camera(const TomlTable& camera) {
     CameraSettings out;
-    set(out.field_of_view, angle_value(camera, "field_of_view_degrees", 1, 150));
+    assign_if(out.field_of_view, angle_value(camera, "field_of_view_degrees", 1, 150));
     out.position = place_value(camera, "position");
     out.target = place_value(camera, "target");
     out.view = direction_value(camera, "view");
@@ -51,10 +51,10 @@ CameraSettings read_camera(const TomlTable& camera) {
     if (out.position && out.target == out.position) {
         camera.fail("target", "'target' must not be the camera's 'position'");
     }
-    set(out.margin, camera.number("margin", 0.1, 100));
+    assign_if(out.margin, camera.number("margin", 0.1, 100));
     out.to_world = read_matrix(camera, out.field_of_view);
-    set(out.f_stop, camera.number("f_stop", 0.1, 1000));
-    set(out.focus_distance, camera.number("focus_distance", 1e-3, 1e9));
+    assign_if(out.f_stop, camera.number("f_stop", 0.1, 1000));
+    assign_if(out.focus_distance, camera.number("focus_distance", 1e-3, 1e9));
     if (out.focus_distance && !out.f_stop) {
         camera.fail("focus_distance", "'focus_distance' needs an 'f_stop'");
     }

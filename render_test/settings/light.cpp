@@ -10,11 +10,11 @@ constexpr double kMaxLight = 1e6;
 
 DistantLight distant_light(const TomlTable& table, float strength) {
     DistantLight light;
-    set(light.direction, direction_value(table, "direction"));
+    assign_if(light.direction, direction_value(table, "direction"));
     light.irradiance =
         strength *
         colour_value(table, "irradiance", kMaxLight).value_or(Vec3f(Vec3f::Constant(2)));
-    set(light.angular_radius, angle_value(table, "radius_degrees", 0.03, 80));
+    assign_if(light.angular_radius, angle_value(table, "radius_degrees", 0.03, 80));
     return light;
 }
 
@@ -52,7 +52,7 @@ SphereLight sphere_light(const TomlTable& table, float strength) {
     SphereLight light;
     light.centre =
         required_place(table, "position", "a sphere of light needs a 'position'");
-    set(light.radius, table.number("radius", 1e-3, 1e6));
+    assign_if(light.radius, table.number("radius", 1e-3, 1e6));
     light.radiance =
         strength *
         colour_value(table, "radiance", kMaxLight).value_or(Vec3f(Vec3f::Constant(10)));
@@ -101,9 +101,9 @@ std::optional<Lights> read_lights(const TomlTable& light, const Vec3f& up) {
     }
     if (sun || irradiance) {
         DistantLight key;
-        set(key.direction, sun);
+        assign_if(key.direction, sun);
         key.irradiance = strength * irradiance.value_or(Vec3f(Vec3f::Constant(2)));
-        set(key.angular_radius, radius);
+        assign_if(key.angular_radius, radius);
         distant.push_back(key);
     }
     return Lights(std::move(environment), distant, rectangles, spheres);

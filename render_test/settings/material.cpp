@@ -25,16 +25,16 @@ void read_material(const TomlTable& material, HairMaterial& hair, MeshMaterial& 
                       "a 'preset' sets the melanin: remove 'eumelanin' and 'colour'");
     }
     if (colour) hair.colour = colour;
-    set(hair.eumelanin, material.number("eumelanin", 0, 100));
-    set(hair.pheomelanin, material.number("pheomelanin", 0, 100));
-    set(hair.beta_m, material.number("roughness", 0.01, 1));
-    set(hair.beta_n, material.number("azimuthal_roughness", 0.01, 1));
-    set(hair.tilt, angle_value(material, "tilt_degrees", -20, 20));
-    set(hair.eta, material.number("eta", 1.01, 5));
-    set(hair.aspect, material.number("aspect", 0.1, 1));
-    set(hair.melanin_variation, material.number("melanin_variation", 0, 1));
-    set(hair.roughness_variation, material.number("roughness_variation", 0, 1));
-    set(hair.seed, material.integer("seed", 0, std::int64_t(1) << 62));
+    assign_if(hair.eumelanin, material.number("eumelanin", 0, 100));
+    assign_if(hair.pheomelanin, material.number("pheomelanin", 0, 100));
+    assign_if(hair.beta_m, material.number("roughness", 0.01, 1));
+    assign_if(hair.beta_n, material.number("azimuthal_roughness", 0.01, 1));
+    assign_if(hair.tilt, angle_value(material, "tilt_degrees", -20, 20));
+    assign_if(hair.eta, material.number("eta", 1.01, 5));
+    assign_if(hair.aspect, material.number("aspect", 0.1, 1));
+    assign_if(hair.melanin_variation, material.number("melanin_variation", 0, 1));
+    assign_if(hair.roughness_variation, material.number("roughness_variation", 0, 1));
+    assign_if(hair.seed, material.integer("seed", 0, std::int64_t(1) << 62));
     if (const auto value = colour_value(material, "root_colour", 1)) {
         hair.root_colour = value;
     }
@@ -44,8 +44,8 @@ void read_material(const TomlTable& material, HairMaterial& hair, MeshMaterial& 
     if (const auto shading = material.choice("shading", kShadings)) {
         groom_shading = *shading == 1;
     }
-    set(mesh.colour, colour_value(material, "scalp_colour", 1));
-    set(mesh.coat_roughness, material.number("scalp_roughness", 0.05, 1));
+    assign_if(mesh.colour, colour_value(material, "scalp_colour", 1));
+    assign_if(mesh.coat_roughness, material.number("scalp_roughness", 0.05, 1));
     if (const auto file = material.path("scalp_texture")) {
         mesh.texture = read_texture(*file);
     }

@@ -13,22 +13,22 @@ namespace lancret {
 namespace {
 
 void read_render(const TomlTable& render, PreviewSettings& out) {
-    set(out.render.width, render.integer("width", 1, 16384));
-    set(out.render.height, render.integer("height", 1, 16384));
+    assign_if(out.render.width, render.integer("width", 1, 16384));
+    assign_if(out.render.height, render.integer("height", 1, 16384));
     const auto samples = render.integer("samples", 1, 65536);
-    set(out.render.samples, samples);
+    assign_if(out.render.samples, samples);
     out.samples_given = samples.has_value();
-    set(out.render.noise, render.number("noise", 0, 10));
+    assign_if(out.render.noise, render.number("noise", 0, 10));
     if (out.render.noise > 0 && !samples) out.render.samples = kMaxAdaptiveSamples;
-    set(out.render.seed,
-        render.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
-    set(out.render.path.max_depth, render.integer("max_depth", 1, 10000));
-    set(out.regularisation, render.number("regularisation", 0, 1));
+    assign_if(out.render.seed,
+              render.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    assign_if(out.render.path.max_depth, render.integer("max_depth", 1, 10000));
+    assign_if(out.regularisation, render.number("regularisation", 0, 1));
     if (const auto lobes = render.choice("lobes", kLobeWidthNames)) {
         out.render.path.lobes = LobeWidth(*lobes);
     }
-    set(out.background, colour_value(render, "background", 1e6));
-    set(out.least_width, render.number("min_width_pixels", 0, 10));
+    assign_if(out.background, colour_value(render, "background", 1e6));
+    assign_if(out.least_width, render.number("min_width_pixels", 0, 10));
     out.shutter = render.pair("shutter");
     if (out.shutter && !is_shutter(*out.shutter)) {
         render.fail(
@@ -36,14 +36,14 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
             "'shutter' must be [opens, closes] in frames after the frame, such as "
             "[0, 0.5], within 1000 and not closed before it opens");
     }
-    set(out.motion_samples,
-        render.integer("motion_samples", 2, std::int64_t(kMaxSceneTimes)));
+    assign_if(out.motion_samples,
+              render.integer("motion_samples", 2, std::int64_t(kMaxSceneTimes)));
 }
 
 void read_surfaces(const TomlTable& material, PreviewSettings& out) {
-    set(out.blade.translucency, material.number("translucency", 0, 1));
-    set(out.blade.coat_roughness, material.number("blade_roughness", 0.05, 1));
-    set(out.crease, angle_value(material, "scalp_crease_degrees", 0, 180));
+    assign_if(out.blade.translucency, material.number("translucency", 0, 1));
+    assign_if(out.blade.coat_roughness, material.number("blade_roughness", 0.05, 1));
+    assign_if(out.crease, angle_value(material, "scalp_crease_degrees", 0, 180));
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "guides/base/coordinates.h"
 
 namespace lancret {
@@ -48,7 +46,7 @@ std::optional<float> angle_value(const TomlTable& table, std::string_view key, d
                                  double high) {
     const auto degrees = table.number(key, low, high);
     if (!degrees) return std::nullopt;
-    return float(*degrees * std::numbers::pi / 180);
+    return float(*degrees * kPi / 180);
 }
 
 }  // namespace lancret

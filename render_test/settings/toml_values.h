@@ -7,12 +7,6 @@
 
 namespace lancret {
 
-/// Assigns a value if there is one.
-template <class T, class U>
-void set(T& to, const std::optional<U>& value) {
-    if (value) to = T(*value);
-}
-
 /// A colour: three numbers from 0 to `limit`.
 std::optional<Vec3f> colour_value(const TomlTable& table, std::string_view key,
                                   double limit);

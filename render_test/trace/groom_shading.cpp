@@ -11,7 +11,7 @@ Vec3f groom_value(const Vec3f& colour, const Vec3f& wi) {
     // wo's azimuth is that of z, so the cosine of the difference is z over the length
     // across the strand, and that length is the cosine of the inclination.
     const float cosine = std::hypot(wi.y(), wi.z());
-    return colour * ((cosine + wi.z()) / (kPi * kPi));
+    return colour * ((cosine + wi.z()) / (kPif * kPif));
 }
 
 Vec3f groom_radiance(const RenderScene& scene, const Ray& ray, const Hit& hit,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "sim/rod/panels.h"
 #include "sim/segment/kernel.h"
@@ -28,8 +27,7 @@ LowestPoint lowest_point(const HangingRod& rod, const Eigen::VectorXd& q,
         // The tangent's height is a sine of the turn. Steps of a sixteenth of a turn
         // separate its zeros, unless two are so close that the curve is level between
         // them.
-        const double length = rod.lengths[i],
-                     turns = k.norm() * length / (2 * std::numbers::pi);
+        const double length = rod.lengths[i], turns = k.norm() * length / (2 * kPi);
         const int parts = int(std::clamp(std::ceil(16 * turns), 4., 1e5));
         double before = up.dot(joints[i].frame.col(0));
         for (int p = 1; p <= parts; ++p) {

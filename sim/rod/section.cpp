@@ -1,7 +1,6 @@
 #include "sim/rod/section.h"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace lancret {
@@ -20,15 +19,14 @@ RodSection rod_section(const RodMaterial& material, Dissipation form, double dam
     if (!(damping >= 0 && std::isfinite(damping))) {
         throw std::invalid_argument("rod_section: damping must be finite and at least 0");
     }
-    constexpr double pi = std::numbers::pi;
     const double shear = young / (2 * (1 + poisson));
-    const double torsion = pi * std::pow(a1 * a2, 3) / (a1 * a1 + a2 * a2);
+    const double torsion = kPi * std::pow(a1 * a2, 3) / (a1 * a1 + a2 * a2);
     RodSection out;
-    out.stiffness = {shear * torsion, young * pi / 4 * a1 * a2 * a2 * a2,
-                     young * pi / 4 * a1 * a1 * a1 * a2};
+    out.stiffness = {shear * torsion, young * kPi / 4 * a1 * a2 * a2 * a2,
+                     young * kPi / 4 * a1 * a1 * a1 * a2};
     out.damping = form == Dissipation::uniform ? Vec3::Constant(damping)
                                                : Vec3(damping * out.stiffness);
-    out.linear_density = density * pi * a1 * a2;
+    out.linear_density = density * kPi * a1 * a2;
     return out;
 }
 

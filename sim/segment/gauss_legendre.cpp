@@ -4,9 +4,10 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
+
+#include "guides/base/types.h"
 
 namespace lancret {
 
@@ -25,7 +26,7 @@ struct Table {
         nodes[n].resize(n);
         weights[n].resize(n);
         for (int i = 0; i < (n + 1) / 2; ++i) {
-            double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 0;
+            double x = std::cos(kPi * (i + 0.75) / (n + 0.5)), slope = 0;
             for (int round = 0; round < 8; ++round) {
                 double before = 0, value = 1;
                 for (int d = 0; d < n; ++d) {

@@ -2,7 +2,6 @@
 // A moving groom: a cache of two frames.
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "guides/files/guide_cache.h"
@@ -39,8 +38,7 @@ struct MovingGroom : MadeGroom {
             rest.curvatures.emplace_back(Eigen::Map<const Vec3>(from.curvatures + 3 * i));
         }
         const Vec3 pivot(0, -8, -2);
-        const Mat3 turn =
-            Eigen::AngleAxisd(15 * std::numbers::pi / 180, Vec3::UnitY()).matrix();
+        const Mat3 turn = Eigen::AngleAxisd(15 * kPi / 180, Vec3::UnitY()).matrix();
         Guides turned = rest;
         for (Vec3& root : turned.root_positions) root = pivot + turn * (root - pivot);
         for (Mat3& frame : turned.root_frames) frame = turn * frame;

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 #include "guides/mesh/triangle_mesh.h"
@@ -52,7 +51,7 @@ inline Curves curves_through(const std::vector<std::vector<Vec3f>>& rows, float 
 /// A sphere of radius 9 cm about the origin, in triangles that face outward.
 inline TriangleMesh sphere_mesh(int around = 96, int down = 48, float radius = 9) {
     TriangleMesh mesh;
-    constexpr float kTurn = 2 * std::numbers::pi_v<float>;
+    constexpr float kTurn = 2 * kPif;
     for (int y = 0; y <= down; ++y)
         for (int x = 0; x <= around; ++x) {
             const float a = kTurn * float(x) / float(around),
@@ -74,7 +73,7 @@ inline TriangleMesh sphere_mesh(int around = 96, int down = 48, float radius = 9
 inline Curves hairy_sphere(std::uint32_t strands, float length = 8, float radius = 0.004f,
                            float curl = 0.25f, CurveShape shape = CurveShape::flat) {
     std::vector<std::vector<Vec3f>> rows(strands);
-    const float golden = std::numbers::pi_v<float> * (3 - std::sqrt(5.0f));
+    const float golden = kPif * (3 - std::sqrt(5.0f));
     for (std::uint32_t i = 0; i < strands; ++i) {
         const float y = 1 - 2 * (float(i) + 0.5f) / float(strands);
         const float r = std::sqrt(1 - y * y), a = golden * float(i);

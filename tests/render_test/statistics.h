@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <numbers>
 #include <vector>
 
 #include "guides/base/types.h"

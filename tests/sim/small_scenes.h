@@ -1,7 +1,6 @@
 #pragma once
 // Small grooms and scenes for the tests of Simulation.
 
-#include <numbers>
 #include <random>
 
 #include "guides/helix/super_helix.h"
@@ -45,7 +44,7 @@ inline Guides hanging_groom(int count, int segments, double length, double curl 
     Guides out;
     std::mt19937_64 random(11);
     for (int g = 0; g < count; ++g) {
-        const double turn = 2 * std::numbers::pi * g / count;
+        const double turn = 2 * kPi * g / count;
         const Vec3 normal = Vec3(std::cos(turn), 0.4, std::sin(turn)).normalized();
         const Vec3 start = (normal + Vec3(0, 0.5, 0)).normalized();
         std::vector<Vec3> k;

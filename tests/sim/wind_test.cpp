@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 
@@ -83,7 +82,7 @@ TEST(Wind, HasNoDivergence) {
     std::mt19937 random(1);
     // Central differences of step h of a wave are off by h^2 |k|^3 |a| / 6; the largest
     // |k| is 4 x 2 pi / 20. Round-off of phases near 2e4 rad is 4e-12 |a| / h.
-    const double h = 1e-2, k = 4 * 2 * std::numbers::pi / 20;
+    const double h = 1e-2, k = 4 * 2 * kPi / 20;
     double amplitudes = 0, gradient = 0;
     for (const WindWave& w : wind.waves) amplitudes += w.amplitude.norm();
     const double tolerance = amplitudes * (h * h * k * k * k / 6 + 4e-12 / h);

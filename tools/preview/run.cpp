@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "guides/base/errors.h"
 #include "guides/base/stopwatch.h"
@@ -39,7 +38,7 @@ std::vector<Camera> cameras_of(const PreviewPlan& plan, const Eigen::AlignedBox3
     const Camera front = preview_camera(plan.job.preview, box, up);
     std::vector<Camera> out(std::max<std::size_t>(plan.views, 1), front);
     for (std::size_t view = 0; view < plan.views; ++view) {
-        const float step = 2 * std::numbers::pi_v<float> / float(plan.views);
+        const float step = 2 * kPif / float(plan.views);
         out[view] = turned(front, box.center(), up, float(view) * step);
     }
     return out;

@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 

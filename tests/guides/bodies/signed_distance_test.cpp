@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 
@@ -30,7 +29,7 @@ double winding(const TriangleMesh& mesh, const Vec3& x) {
         sum += 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc +
                                                      b.dot(c) * la + c.dot(a) * lb);
     }
-    return sum / (4 * std::numbers::pi);
+    return sum / (4 * kPi);
 }
 
 TEST(SignedDistance, OfABoxIsItsClosedForm) {
@@ -83,8 +82,7 @@ TEST(SignedDistance, OfAFineSphereIsThatOfTheSphere) {
     EXPECT_TRUE(sphere.closed());
     // A chord of angle pi / cells across both ways leaves the sphere by 1 - cos of half
     // the diagonal, at most.
-    const double half = std::numbers::pi / cells / std::sqrt(2),
-                 sagitta = 1 - std::cos(half);
+    const double half = kPi / cells / std::sqrt(2), sagitta = 1 - std::cos(half);
     std::mt19937 random(2);
     for (int i = 0; i < 3000; ++i) {
         Vec3 x = random_place(random, 2);

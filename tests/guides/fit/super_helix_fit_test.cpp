@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -156,7 +155,7 @@ TEST(SuperHelixFit, FollowsACurl) {
     const FitSettings settings{.segments = 16};
     const SampledCurve target = sampled(
         [](double t) {
-            const double a = 10 * std::numbers::pi * t;
+            const double a = 10 * kPi * t;
             return Vec3(0.5 * std::cos(a), 0.5 * std::sin(a), -10 * t);
         },
         400, fit_samples(settings));

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -11,7 +10,6 @@
 
 namespace lancret {
 
-constexpr double kPi = std::numbers::pi;
 using Path = std::function<CurvePoint(double)>;
 
 /// A helix of radius a and pitch 2 pi b; left-handed where b < 0. kappa = a / (a^2 +

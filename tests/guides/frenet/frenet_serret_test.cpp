@@ -3,14 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <unsupported/Eigen/MatrixFunctions>
 
 namespace lancret {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A root frame without zeros.
 HelixState<double> skew_root() {

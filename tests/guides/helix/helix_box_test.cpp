@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
 namespace lancret {
@@ -45,7 +44,7 @@ TEST(HelixBox, IsTheBoxOfItsPlaces) {
 TEST(HelixBox, OfACircleInAPlaneIsItsSquare) {
     // A radius of 2 about (0, 2, 0), once round.
     Eigen::AlignedBox3d box;
-    extend(box, {}, Vec3(0, 0, 0.5), 4 * std::numbers::pi);
+    extend(box, {}, Vec3(0, 0, 0.5), 4 * kPi);
     EXPECT_LT((box.min() - Vec3(-2, 0, 0)).norm(), 1e-12);
     EXPECT_LT((box.max() - Vec3(2, 4, 0)).norm(), 1e-12);
 }

@@ -4,7 +4,6 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace lancret {
 namespace {
@@ -35,11 +34,11 @@ TEST(WrappedCurl, WindsAboutTheStrandAtItsRadius) {
             EXPECT_NEAR(off.norm(), 0.2 * std::min(1.0, 5 * t), 2e-6);
             EXPECT_NEAR(off.z(), 0, 2e-6);
             const double angle = std::atan2(off.y(), off.x());
-            if (j > 1) turned += std::remainder(angle - before, 2 * std::numbers::pi);
+            if (j > 1) turned += std::remainder(angle - before, 2 * kPi);
             before = angle;
         }
         // All 8 turns but for the first step, whose start has no angle.
-        EXPECT_NEAR(std::abs(turned), 16 * std::numbers::pi * (1 - 1 / double(n)), 1e-3);
+        EXPECT_NEAR(std::abs(turned), 16 * kPi * (1 - 1 / double(n)), 1e-3);
     }
 }
 
@@ -75,7 +74,7 @@ TEST(WrappedCurl, PhasesAreEvenAndTurnsVaryByTheJitter) {
         squares += angle * angle / kStrands;
     }
     // A standard deviation found from n normal numbers is off by 1 / sqrt(2 n) of it.
-    const double expected = 8 * std::numbers::pi * 0.01;
+    const double expected = 8 * kPi * 0.01;
     EXPECT_NEAR(std::sqrt(squares), expected, 5 * expected / std::sqrt(2.0 * kStrands));
 }
 

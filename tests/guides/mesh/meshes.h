@@ -2,7 +2,6 @@
 // Meshes whose areas, normals and UVs are known.
 
 #include <cmath>
-#include <numbers>
 
 #include "guides/mesh/triangle_mesh.h"
 
@@ -44,8 +43,8 @@ inline TriangleMesh square_mesh(float side, std::uint32_t cells) {
 inline TriangleMesh sphere_mesh(std::uint32_t cells) {
     return grid_mesh(2 * cells, cells, [=](float u, float v) {
         const bool seam = u == 1, pole = v == 0 || v == 1;
-        const float phi = seam ? 0 : 2 * std::numbers::pi_v<float> * u;
-        const float theta = std::numbers::pi_v<float> * v;
+        const float phi = seam ? 0 : 2 * kPif * u;
+        const float theta = kPif * v;
         const float ring = pole ? 0 : std::sin(theta);
         return Vec3f(ring * std::sin(phi), -std::cos(theta), ring * std::cos(phi));
     });

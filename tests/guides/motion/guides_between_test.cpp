@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
 #include "guides/helix/super_helix.h"
@@ -59,12 +58,12 @@ TEST(GuidesBetween, CurvaturesGoOnALineAndRootsTurnAtAnEvenRate) {
 
 TEST(GuidesBetween, TheWayRoundIsTheShortOne) {
     Guides a, b;
-    test::add_guide(a, {Vec3::Zero()}, 5, about_z(-0.1 * std::numbers::pi));
-    test::add_guide(b, {Vec3::Zero()}, 5, about_z(1.1 * std::numbers::pi));
+    test::add_guide(a, {Vec3::Zero()}, 5, about_z(-0.1 * kPi));
+    test::add_guide(b, {Vec3::Zero()}, 5, about_z(1.1 * kPi));
     for (const InTime way : kWays) {
         const Guides at = guides_between({&a, &b}, 0.5, way);
         // From -18 to 198 degrees by way of -90: 144 degrees, not 216.
-        EXPECT_LT((at.root_frames[0] - about_z(-0.5 * std::numbers::pi)).norm(), 1e-14);
+        EXPECT_LT((at.root_frames[0] - about_z(-0.5 * kPi)).norm(), 1e-14);
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <stdexcept>
 
 #include "guides/helix/helix.h"
@@ -23,7 +22,7 @@ RigidPath nod() {
 
 TEST(RigidPath, PassesThroughItsKeys) {
     const RigidMotion at = rigid_motion(nod(), 5);
-    const Vec3 theta = Vec3(20, 50, -10) * (std::numbers::pi / 180);
+    const Vec3 theta = Vec3(20, 50, -10) * (kPi / 180);
     const Mat3 turn = Eigen::AngleAxisd(theta.norm(), theta.normalized()).matrix();
     EXPECT_LT((at.pose.rotation - turn).norm(), 1e-15);
     const Vec3 pivot(1, 150, -2), x(7, 160, 3);

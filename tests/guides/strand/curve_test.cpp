@@ -4,12 +4,9 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace lancret {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A right-handed helix of radius a and pitch 2 pi b at angle v.
 Vec3 helix(double v, double a = 1.0, double b = 0.4) {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <numbers>
 
 #include "procedural/bind/partings.h"
 #include "procedural/groom/ready_groom.h"
@@ -110,11 +109,10 @@ TEST(BindingContinuity, AroundTheEndOfAParting) {
     const Partings partings({&line, 1});
     PathBinder binder{standing.guides, standing.normals, {}, &partings};
     // From 0.25 radian right of the parting to 0.25 radian left of it.
-    const double down = -std::numbers::pi / 2;
+    const double down = -kPi / 2;
     for (const double radius : {0.5, 1.0, 2.0}) {
         binder.expect_continuous(
-            arc({5, 5, 0}, radius, down + 0.25, down + 2 * std::numbers::pi - 0.25),
-            "around the end");
+            arc({5, 5, 0}, radius, down + 0.25, down + 2 * kPi - 0.25), "around the end");
     }
     binder.expect_continuous(straight({5.3, 1, 0}, {5.3, 9, 0}), "beside it");
     // Across the parting itself the weights jump for any step.
@@ -164,8 +162,7 @@ TEST(BindingContinuity, AsGuidesTurnAway) {
     binder.expect_continuous(
         [](double t) {
             return PathPoint{Vec3(2, 2, 0) + 6 * t * Vec3(1, 0.7, 0),
-                             Vec3(std::sin(2 * std::numbers::pi * t), 0,
-                                  std::cos(2 * std::numbers::pi * t))};
+                             Vec3(std::sin(2 * kPi * t), 0, std::cos(2 * kPi * t))};
         },
         "turning", 2000);
 }
@@ -193,7 +190,7 @@ TEST(BindingContinuity, OnTheMadeHeadAroundItsParting) {
         "beside the parting");
     binder.expect_continuous(
         [&](double t) {
-            const double angle = std::numbers::pi * (t - 0.5);
+            const double angle = kPi * (t - 0.5);
             return on_head({0.3 * std::sin(angle), 1, -0.16 - 0.3 * std::cos(angle)});
         },
         "around its end");

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "tests/procedural/made_guides.h"
 
 namespace lancret {
@@ -17,7 +15,7 @@ constexpr double kLength = 20;
 /// Appends a helix of `turns` turns about `axis`, with the given pitch angle to it.
 void add_curl(Guides& guides, const Vec3& axis, double turns, double pitch,
               double phase) {
-    const double omega = 2 * std::numbers::pi * turns / kLength;
+    const double omega = 2 * kPi * turns / kLength;
     const Vec3 u(omega * std::cos(pitch), 0, omega * std::sin(pitch));
     // The root frame for which the Darboux vector is along the axis, rolled by the phase.
     const Mat3 frame = Eigen::AngleAxisd(phase, axis.normalized()) *
@@ -51,8 +49,8 @@ TEST(Detail, KeepsPositionAndCurlOfCurlsOfDifferentPhase) {
     const double pitch = 0.8, turns = 10;
     Guides guides;
     add_curl(guides, Vec3(1, 0.2, 0), turns, pitch, 0);
-    add_curl(guides, Vec3(1, -0.2, 0), turns, pitch, std::numbers::pi);
-    const double kappa = 2 * std::numbers::pi * turns / kLength * std::sin(pitch);
+    add_curl(guides, Vec3(1, -0.2, 0), turns, pitch, kPi);
+    const double kappa = 2 * kPi * turns / kLength * std::sin(pitch);
     const Shape position = shape_of(blend_position<double>, guides, {0.6, 0.4});
     const Shape detail = shape_of(blend_detail<double>, guides, {0.6, 0.4});
     EXPECT_NEAR(detail.kappa / kappa, 1, 0.01);
@@ -118,7 +116,7 @@ TEST(Anchor, NothingJumpsIfSpinesAreOpposed) {
         std::vector<HelixState<double>> before, states(49);
         largest[fine] = 0;
         for (int i = 0; i <= steps; ++i) {
-            const double angle = std::numbers::pi * (0.9 + 0.2 * i / steps);
+            const double angle = kPi * (0.9 + 0.2 * i / steps);
             Guides guides;
             add_curl(guides, Vec3(std::cos(angle), std::sin(angle), 1e-3), 3, 0.5, 0);
             add_curl(guides, Vec3(1, 0, 0), 3, 0.5, 1);

@@ -2,7 +2,6 @@
 // Motions of two guides through configurations that are hard for a blend.
 
 #include <functional>
-#include <numbers>
 
 #include "tests/procedural/made_guides.h"
 
@@ -32,7 +31,7 @@ inline const HardCase kHardCases[] = {
     {"normals come to oppose",
      [](double t, Guides& out) {
          // An arc turns once about its root tangent; the other guide is at rest.
-         const double angle = 2 * std::numbers::pi * t;
+         const double angle = 2 * kPi * t;
          add_even(out, {0, -0.2 * std::sin(angle), 0.2 * std::cos(angle)});
          add_even(out, {0.05, 0, 0.15});
      }},
@@ -53,7 +52,7 @@ inline const HardCase kHardCases[] = {
      }},
     {"swings through opposite",
      [](double t, Guides& out) {
-         const double angle = std::numbers::pi * (0.75 + 0.5 * t);
+         const double angle = kPi * (0.75 + 0.5 * t);
          add_even(out, {0, 0, 0.05}, frame_along({std::cos(angle), std::sin(angle), 0}));
          add_even(out, {0, 0.05, 0.05});
      }},

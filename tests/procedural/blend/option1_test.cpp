@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "guides/helix/super_helix.h"
 #include "procedural/blend/blend.h"
 #include "tests/procedural/made_guides.h"
@@ -91,7 +89,7 @@ TEST(Option1, TwoPlanarGuidesGiveThePrintedFormula) {
 
 TEST(Option1, StaysInsideTheHullIfNormalsOppose) {
     // kappa 1 and 3 with normals 179.9 degrees apart: 1146 by the printed formula.
-    const double apart = 179.9 * std::numbers::pi / 180;
+    const double apart = 179.9 * kPi / 180;
     Guides guides;
     add_guide(guides, {Vec3(0, 0, 1)}, 2);
     add_guide(guides, {Vec3(0, -3 * std::sin(apart), 3 * std::cos(apart))}, 2);

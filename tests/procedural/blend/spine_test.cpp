@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "guides/helix/helix.h"
 
 namespace lancret {
@@ -56,15 +54,14 @@ TEST(Spine, AdvanceOfAHelixIsTheCosineOfItsPitchAngle) {
     // The part of a helix of N turns across its axis contributes at most (2 j + 1) / (pi
     // N) times the sine to degree j.
     const double turns = 20, pitch = 0.6;
-    const double omega = 2 * std::numbers::pi * turns / kLength;
+    const double omega = 2 * kPi * turns / kLength;
     const Vec3 u(omega * std::cos(pitch), 0, omega * std::sin(pitch));
     const Spine<double> spine = helix_spine(u, 2000);
     EXPECT_NEAR(spine.terms[0].norm(), std::cos(pitch), 1e-4);
     const Vec3 axis = u.normalized();
     EXPECT_NEAR(spine.terms[0].dot(axis), std::cos(pitch), 1e-4);
     for (int j = 1; j < kSpineTerms; ++j) {
-        EXPECT_LT(spine.terms[j].norm(),
-                  (2 * j + 1) * std::sin(pitch) / (std::numbers::pi * turns));
+        EXPECT_LT(spine.terms[j].norm(), (2 * j + 1) * std::sin(pitch) / (kPi * turns));
     }
 }
 

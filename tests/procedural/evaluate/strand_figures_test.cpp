@@ -11,7 +11,7 @@
 namespace lancret {
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
+constexpr double kTwoPi = 2 * kPi;
 
 /// `count` strands of `steps` whose point at share t is place(strand, t).
 StrandSamples strands_of(int count, int steps,
@@ -96,8 +96,7 @@ TEST(StrandFigures, AShiftIsAWrongPlaceAndNoWrongShape) {
 
 TEST(StrandFigures, ACurlOfAnotherPhaseIsInItsPlaceButForItsEnds) {
     const auto truth = strands_of(3, 64, [](int, double t) { return curl(t, 0); });
-    const auto turned =
-        strands_of(3, 64, [](int, double t) { return curl(t, std::numbers::pi / 2); });
+    const auto turned = strands_of(3, 64, [](int, double t) { return curl(t, kPi / 2); });
     const StrandFigures figures =
         strand_figures(truth, std::vector<double>(3, 20.0), turned);
     const double rms = 0.3 * std::numbers::sqrt2 / 20;  // r 2 sin(phase / 2)

@@ -16,9 +16,9 @@ double apart(double a, double b) { return std::abs(std::remainder(a - b, 2 * M_P
 
 TEST(StrandSection, IsAsWideAsItsAxesShow) {
     EXPECT_FLOAT_EQ((StrandSection{0.6f, 0}.half_width()), 1);
-    EXPECT_FLOAT_EQ((StrandSection{0.6f, kPi / 2}.half_width()), 0.6f);
+    EXPECT_FLOAT_EQ((StrandSection{0.6f, kPif / 2}.half_width()), 0.6f);
     // Between, the support of the ellipse: sqrt(cos^2 + 0.36 sin^2).
-    EXPECT_FLOAT_EQ((StrandSection{0.6f, kPi / 4}.half_width()), std::sqrt(0.68f));
+    EXPECT_FLOAT_EQ((StrandSection{0.6f, kPif / 4}.half_width()), std::sqrt(0.68f));
 }
 
 TEST(StrandSection, PathsOfACircleAreThoseOfTheClosedForm) {
@@ -50,7 +50,7 @@ TEST(StrandSection, ALightOnAnAxisGoesStraightThrough) {
     // Down the major axis: R comes back, TT goes on, TRT comes back, over the long way.
     // pi / 2 is 4e-8 off in float, and each of three meetings with a tip of curvature 4
     // multiplies that by up to 1 + 2 * 4: 3e-5.
-    const SectionPaths paths = section_paths({0.5f, kPi / 2}, 0, 1, 1.55f, 1.55f);
+    const SectionPaths paths = section_paths({0.5f, kPif / 2}, 0, 1, 1.55f, 1.55f);
     EXPECT_LT(apart(paths.azimuth[0], M_PI / 2), 3e-5);
     EXPECT_LT(apart(paths.azimuth[1], -M_PI / 2), 3e-5);
     EXPECT_LT(apart(paths.azimuth[2], M_PI / 2), 3e-5);
@@ -154,7 +154,7 @@ TEST(StrandSection, SampledDirectionsFollowTheDensity) {
 
 TEST(StrandSection, NothingIsNanAtTheEdges) {
     for (const float aspect : {0.1f, 0.5f, 0.999f})
-        for (const float angle : {0.0f, 0.4f, kPi / 2, 3.0f})
+        for (const float angle : {0.0f, 0.4f, kPif / 2, 3.0f})
             for (const float x : {-1.0f, -0.99999f, 0.0f, 1.0f})
                 for (const float h : {-1.0f, 0.0f, 0.9999999f, 1.0f}) {
                     const HairModel model(material(0.3f, 0.3f, 0.05f, 0.5f));

@@ -196,7 +196,7 @@ TEST(PathTracer, OneScatteringIsTheBsdfIntegratedOverTheLight) {
         // Uniform over the disc, of radiance E / (pi sin^2) and the cap's solid angle.
         const float cosine = 1 - random.x() * (1 - std::cos(radius));
         const float sine = std::sqrt(1 - cosine * cosine);
-        const float phi = 2 * kPi * random.y();
+        const float phi = 2 * kPif * random.y();
         const Vec3f wi =
             frame * Vec3f(sine * std::cos(phi), sine * std::sin(phi), cosine);
         const double sine_radius = std::sin(double(radius));

@@ -1,13 +1,9 @@
 #pragma once
 // Rods with length, EI and rho S of 1, for tests.
 
-#include <numbers>
-
 #include "sim/rod/energy.h"
 
 namespace lancret {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Equal segments; gravity -z of strength `gamma`; n2 = n0 x n1.
 inline HangingRod made_rod(int segments, double gamma, const Vec3& natural = Vec3::Zero(),

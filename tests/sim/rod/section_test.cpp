@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace lancret {
 namespace {
@@ -13,11 +12,11 @@ TEST(RodSection, RoundHairHasTheClosedForm) {
     // E I = E pi r^4 / 4, G J = E / (2 (1 + sigma)) pi r^4 / 2, rho S = rho pi r^2.
     const RodMaterial hair;
     const RodSection section = rod_section(hair, Dissipation::viscoelastic, 0.1);
-    const double bending = 4e10 * std::numbers::pi / 4 * std::pow(0.004, 4);
+    const double bending = 4e10 * kPi / 4 * std::pow(0.004, 4);
     EXPECT_NEAR(section.stiffness.y() / bending, 1, 1e-14);
     EXPECT_NEAR(section.stiffness.z() / bending, 1, 1e-14);
     EXPECT_NEAR(section.stiffness.x() / bending, 1 / 1.48, 1e-14);
-    EXPECT_NEAR(section.linear_density, 1.3 * std::numbers::pi * 16e-6, 1e-18);
+    EXPECT_NEAR(section.linear_density, 1.3 * kPi * 16e-6, 1e-18);
     EXPECT_TRUE(section.damping.isApprox(0.1 * section.stiffness, 1e-15));
 }
 
@@ -30,7 +29,7 @@ TEST(RodSection, FlatHairBendsOverItsThinSide) {
     EXPECT_NEAR(section.stiffness.y() / section.stiffness.z(), 9, 1e-12);
     EXPECT_EQ(section.damping, Vec3::Constant(3));
     // J = pi a1^3 a2^3 / (a1^2 + a2^2).
-    const double torsion = std::numbers::pi * 8e-9 * 216e-9 / 40e-6;
+    const double torsion = kPi * 8e-9 * 216e-9 / 40e-6;
     EXPECT_NEAR(section.stiffness.x() / (4e10 / 2.96 * torsion), 1, 1e-14);
 }
 
