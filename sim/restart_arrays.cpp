@@ -2,18 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "guides/base/errors.h"
 
 namespace lancret {
-
-namespace {
-
-void check(bool fine, const char* what) {
-    if (!fine) throw std::invalid_argument(std::string("restart: ") + what);
-}
-
-}  // namespace
 
 void write(const Vec3& v, std::vector<double>& out) {
     out.insert(out.end(), v.begin(), v.end());
@@ -47,22 +39,22 @@ void write(const ContactAnchor& anchor, std::vector<double>& out) {
 
 ArrayReader::ArrayReader(const RestartArrays& arrays, const char* name) {
     const auto found = arrays.find(name);
-    check(found != arrays.end(), "an array is missing");
+    require(found != arrays.end(), "restart: an array is missing");
     left_ = found->second;
 }
 
 double ArrayReader::number() {
-    check(!left_.empty(), "an array is too short");
+    require(!left_.empty(), "restart: an array is too short");
     const double out = left_.front();
-    check(std::isfinite(out), "expected a finite number");
+    require(std::isfinite(out), "restart: expected a finite number");
     left_ = left_.subspan(1);
     return out;
 }
 
 int ArrayReader::whole(int low, int high) {
     const double x = number();
-    check(x >= low && x <= high && x == std::floor(x),
-          "expected a whole number within its range");
+    require(x >= low && x <= high && x == std::floor(x),
+            "restart: expected a whole number within its range");
     return int(x);
 }
 
@@ -74,7 +66,8 @@ Vec3 ArrayReader::vector() {
 void read(ArrayReader& from, int segments, RodPast& past) {
     past.size = from.whole(0, RodPast::kMax);
     past.eps = from.number();
-    check(past.size == 0 || past.eps > 0, "the step of a past must be above 0");
+    require(past.size == 0 || past.eps > 0,
+            "restart: the step of a past must be above 0");
     for (RodPose& pose : past.poses) {
         pose.root.position = from.vector();
         for (int c = 0; c < 3; ++c) pose.root.frame.col(c) = from.vector();

@@ -1,21 +1,12 @@
 #include "sim/simulation.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
+#include "guides/base/errors.h"
 #include "sim/restart_arrays.h"
 #include "sim/simulation_state.h"
 
 namespace lancret {
-
-namespace {
-
-void check(bool fine, const char* what) {
-    if (!fine) throw std::invalid_argument(std::string("Simulation: ") + what);
-}
-
-}  // namespace
 
 Simulation::Simulation(const Guides& rest, SimulationSettings settings,
                        SimulationScene scene, double frame)
@@ -89,9 +80,10 @@ RestartArrays Simulation::restart() const {
 
 void Simulation::resume(double frame, const Guides& guides, const RestartArrays& arrays) {
     SimulationState& s = *state_;
-    check(guides.size() == s.guides.size() && guides.segments == s.guides.segments &&
-              guides.segment_lengths == s.guides.segment_lengths,
-          "resume: expected guides of the same count, segments and lengths");
+    require(
+        guides.size() == s.guides.size() && guides.segments == s.guides.segments &&
+            guides.segment_lengths == s.guides.segment_lengths,
+        "Simulation: resume: expected guides of the same count, segments and lengths");
     s.guides = guides;
     s.start_at(frame);
     ArrayReader natural(arrays, "natural"), rates(arrays, "rates"), past(arrays, "past"),
@@ -104,17 +96,17 @@ void Simulation::resume(double frame, const Guides& guides, const RestartArrays&
     for (ContactAnchor& a : s.anchors) read(anchors, s.scene.colliders, a);
     for (double& depth : s.allowed_depths) {
         depth = allowed.number();
-        check(depth >= 0, "resume: allowed depths must be at least 0");
+        require(depth >= 0, "Simulation: resume: allowed depths must be at least 0");
     }
     for (const ArrayReader* reader :
          {&natural, &rates, &past, &halvings, &anchors, &allowed}) {
-        check(reader->done(), "resume: an array is too long");
+        require(reader->done(), "Simulation: resume: an array is too long");
     }
 }
 
 std::vector<Guides> simulate(const Guides& rest, const SimulationSettings& settings,
                              SimulationScene scene, int first, int last) {
-    check(first <= last, "the last frame must not be before the first");
+    require(first <= last, "Simulation: the last frame must not be before the first");
     Simulation simulation(rest, settings, std::move(scene), first);
     std::vector<Guides> out{simulation.guides()};
     for (int frame = first; frame < last; ++frame) {

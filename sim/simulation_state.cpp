@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
+#include "guides/base/errors.h"
 #include "guides/helix/super_helix.h"
 #include "sim/equilibrium/sag_free.h"
 #include "sim/segment/gauss_legendre.h"
@@ -31,47 +30,48 @@ RootMotion between(const RootMotion& a, const RootMotion& b, double share) {
     return out;
 }
 
-void check(bool fine, const char* what) {
-    if (!fine) throw std::invalid_argument(std::string("Simulation: ") + what);
-}
-
 /// Written so that a number that is not finite fails too.
 bool within(double x, double low, double high = 1e15) { return x >= low && x <= high; }
 
 void check(const SimulationSettings& s) {
-    check(within(s.gravity.cwiseAbs().maxCoeff(), 0) && s.gravity.allFinite(),
-          "gravity must be finite");
-    check(within(s.drag, 0), "drag must be at least 0");
-    check(s.substeps >= 1 && s.substeps <= 1000, "expected 1 to 1000 substeps");
-    check(s.max_halvings >= 0 && s.max_halvings <= 20, "expected 0 to 20 halvings");
-    check(s.error_tolerance > 0, "the error tolerance must be above 0");
-    check(s.step.tolerance > 0 && s.step.max_iterations >= 1,
-          "expected a step tolerance above 0 and at least one iteration");
+    require(within(s.gravity.cwiseAbs().maxCoeff(), 0) && s.gravity.allFinite(),
+            "Simulation: gravity must be finite");
+    require(within(s.drag, 0), "Simulation: drag must be at least 0");
+    require(s.substeps >= 1 && s.substeps <= 1000,
+            "Simulation: expected 1 to 1000 substeps");
+    require(s.max_halvings >= 0 && s.max_halvings <= 20,
+            "Simulation: expected 0 to 20 halvings");
+    require(s.error_tolerance > 0, "Simulation: the error tolerance must be above 0");
+    require(s.step.tolerance > 0 && s.step.max_iterations >= 1,
+            "Simulation: expected a step tolerance above 0 and at least one iteration");
     const ContactSettings& c = s.contact;
-    check(c.stations >= 1 && c.stations <= kMaxGaussPoints, "expected 1 to 32 stations");
-    check(within(c.stiffness, 1e-15) && within(c.regularization, 1e-15) &&
-              within(c.friction, 0) && within(c.thickness, 0) && within(c.free_root, 0),
-          "contact settings must be finite, stiffness and regularization above 0, the "
-          "others at least 0");
+    require(c.stations >= 1 && c.stations <= kMaxGaussPoints,
+            "Simulation: expected 1 to 32 stations");
+    require(within(c.stiffness, 1e-15) && within(c.regularization, 1e-15) &&
+                within(c.friction, 0) && within(c.thickness, 0) && within(c.free_root, 0),
+            "Simulation: contact settings must be finite, stiffness and regularization "
+            "above 0, the others at least 0");
     const StrandContactSettings& h = s.strand_contact;
     for (const double x :
          {h.radius, h.stiffness, h.friction_across, h.friction_along, h.cohesion}) {
-        check(within(x, 0), "strand contact settings must be finite and at least 0");
+        require(within(x, 0),
+                "Simulation: strand contact settings must be finite and at least 0");
     }
 }
 
 void check(const Guides& rest) {
-    check(rest.size() > 0 && rest.segments > 0,
-          "expected at least one guide with at least one segment");
+    require(rest.size() > 0 && rest.segments > 0,
+            "Simulation: expected at least one guide with at least one segment");
     const std::size_t all = rest.size() * std::size_t(rest.segments);
-    check(rest.root_frames.size() == rest.size() && rest.segment_lengths.size() == all &&
-              rest.curvatures.size() == all,
-          "expected one frame per guide, and one length and curvature per segment");
+    require(rest.root_frames.size() == rest.size() &&
+                rest.segment_lengths.size() == all && rest.curvatures.size() == all,
+            "Simulation: expected one frame per guide, and one length and curvature per "
+            "segment");
     for (const double l : rest.segment_lengths) {
-        check(within(l, 1e-15), "segment lengths must be above 0");
+        require(within(l, 1e-15), "Simulation: segment lengths must be above 0");
     }
     for (const Vec3& k : rest.curvatures)
-        check(k.allFinite(), "curvatures must be finite");
+        require(k.allFinite(), "Simulation: curvatures must be finite");
 }
 
 }  // namespace
@@ -91,9 +91,12 @@ SimulationState::SimulationState(const Guides& rest, SimulationSettings s,
       }) {
     check(guides);
     check(settings);
-    check(scene.roots.size() == guides.size(), "expected one root per guide");
-    check(within(scene.frames_per_second, 1e-6), "frames_per_second must be above 0");
-    check(within(std::abs(at_frame), 0, 1e9), "the frame must be within 1e9");
+    require(scene.roots.size() == guides.size(),
+            "Simulation: expected one root per guide");
+    require(within(scene.frames_per_second, 1e-6),
+            "Simulation: frames_per_second must be above 0");
+    require(within(std::abs(at_frame), 0, 1e9),
+            "Simulation: the frame must be within 1e9");
     rates.assign(guides.curvatures.size(), Vec3::Zero());
     pasts.resize(guides.size());
     halvings.assign(guides.size(), 0);

@@ -1,9 +1,8 @@
 #include "sim/rod/energy.h"
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
+#include "guides/base/errors.h"
 #include "sim/rod/panels.h"
 #include "sim/segment/kernel.h"
 #include "sim/segment/second_derivative.h"
@@ -74,28 +73,26 @@ Mat3 diagonal_block(const SegmentIntegrals& integrals, const HelixStepDerivative
 }  // namespace
 
 void check_rod(const HangingRod& rod) {
-    const auto check = [](bool good, const char* expected) {
-        if (!good) throw std::invalid_argument(std::string("HangingRod: ") + expected);
-    };
-    check(!rod.lengths.empty(), "expected at least one segment");
-    check(rod.natural.size() == rod.lengths.size(),
-          "expected one natural curvature per segment");
+    require(!rod.lengths.empty(), "HangingRod: expected at least one segment");
+    require(rod.natural.size() == rod.lengths.size(),
+            "HangingRod: expected one natural curvature per segment");
     for (const double l : rod.lengths) {
-        check(l > 0 && std::isfinite(l), "lengths must be finite and above 0");
+        require(l > 0 && std::isfinite(l),
+                "HangingRod: lengths must be finite and above 0");
     }
     for (const Vec3& k : rod.natural) {
-        check(k.allFinite(), "natural curvatures must be finite");
+        require(k.allFinite(), "HangingRod: natural curvatures must be finite");
     }
     const RodSection& section = rod.section;
-    check(section.stiffness.minCoeff() > 0 && section.stiffness.allFinite() &&
-              section.linear_density > 0 && std::isfinite(section.linear_density),
-          "stiffness and density must be finite and above 0");
+    require(section.stiffness.minCoeff() > 0 && section.stiffness.allFinite() &&
+                section.linear_density > 0 && std::isfinite(section.linear_density),
+            "HangingRod: stiffness and density must be finite and above 0");
     const Mat3& frame = rod.root.frame;
     const Mat3 gram = frame.transpose() * frame - Mat3::Identity();
-    check(gram.norm() < 1e-9 && frame.determinant() > 0,
-          "the root frame must be a rotation");
-    check(rod.gravity.allFinite() && rod.root.position.allFinite(),
-          "gravity and the root must be finite");
+    require(gram.norm() < 1e-9 && frame.determinant() > 0,
+            "HangingRod: the root frame must be a rotation");
+    require(rod.gravity.allFinite() && rod.root.position.allFinite(),
+            "HangingRod: gravity and the root must be finite");
 }
 
 double rod_length(const HangingRod& rod) {

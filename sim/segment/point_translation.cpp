@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
+
+#include "guides/base/errors.h"
 
 namespace lancret {
 
 namespace {
-
-void check(bool fine, const char* what) {
-    if (!fine) throw std::invalid_argument(std::string("translate_point: ") + what);
-}
 
 /// A strand whose point at arc length s is being moved to a target.
 struct MovedPoint {
@@ -86,12 +83,14 @@ TranslationReport translate_point(const SuperHelix& helix, double s, const Vec3&
                                   std::vector<Vec3>& curvatures) {
     const int segments = int(helix.lengths.size());
     const double length = std::accumulate(helix.lengths.begin(), helix.lengths.end(), 0.);
-    check(s >= 0 && s <= length * (1 + 1e-12), "s must be in [0, length]");
-    check(target.allFinite(), "the target must be finite");
-    check(settings.stiffness.minCoeff() > 0, "stiffness must be above 0");
+    require(s >= 0 && s <= length * (1 + 1e-12),
+            "translate_point: s must be in [0, length]");
+    require(target.allFinite(), "translate_point: the target must be finite");
+    require(settings.stiffness.minCoeff() > 0,
+            "translate_point: stiffness must be above 0");
     const int first = settings.first_segment,
               last = std::min(settings.last_segment, segments - 1);
-    check(first >= 0 && first <= last, "no such segments");
+    require(first >= 0 && first <= last, "translate_point: no such segments");
 
     curvatures.assign(helix.curvatures.begin(), helix.curvatures.end());
     MovedPoint point{helix, s,          target, settings.stiffness, first,
