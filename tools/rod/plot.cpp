@@ -9,7 +9,7 @@ namespace lancret {
 
 namespace {
 
-/// 1, 2 or 5 times a power of ten, so that `range` has at most 7 steps.
+/// 1, 2 or 5 times a power of ten, such that `range` has at most 7 steps.
 double tick_step(double range) {
     double step = std::pow(10, std::floor(std::log10(range / 7)));
     for (const double factor : {2., 2.5, 2.}) {

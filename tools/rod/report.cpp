@@ -25,8 +25,8 @@ nlohmann::json energy_json(const HangingEnergy& energy) {
             {"total", energy.total()}};
 }
 
-/// Puts the motion in the place of the shape in which the rod hangs, which goes into
-/// `equilibrium`.
+/// Adds the release to the JSON: the keys of the equilibrium move into `equilibrium`, and
+/// those of the motion take their place.
 void add_release(const RodReport& report, nlohmann::json& out) {
     const RodRelease& release = *report.release;
     nlohmann::json equilibrium;
@@ -62,29 +62,30 @@ double root_curvature(const RodReport& report) {
 }  // namespace
 
 HangingRod rod_of(const RodSetup& setup) {
-    // Scaled first, so that no square is too large or too small for a double.
+    // Scaled first, so that squares neither overflow nor underflow.
     const auto unit = [](const Vec3& v, const char* option) -> Vec3 {
         const double size = v.cwiseAbs().maxCoeff();
         if (!v.allFinite() || !(size > 0)) {
-            throw InputError(fmt::format(
-                "{}: ({}, {}, {}) has no direction; give three finite numbers, not all 0",
-                option, v.x(), v.y(), v.z()));
+            throw InputError(
+                fmt::format("{}: ({}, {}, {}) has no direction: expected three finite "
+                            "numbers, not all 0",
+                            option, v.x(), v.y(), v.z()));
         }
         return (v / size).normalized();
     };
     const Vec3 tangent = unit(setup.root_tangent, "--root-tangent");
-    Vec3 wish = Vec3::UnitZ();
+    Vec3 hint = Vec3::UnitZ();
     if (setup.root_normal) {
-        wish = unit(*setup.root_normal, "--root-normal");
-    } else if (tangent.cross(wish).norm() < 1e-6) {
-        wish = Vec3::UnitX();
+        hint = unit(*setup.root_normal, "--root-normal");
+    } else if (tangent.cross(hint).norm() < 1e-6) {
+        hint = Vec3::UnitX();
     }
-    const Vec3 across = wish - tangent.dot(wish) * tangent;
+    const Vec3 across = hint - tangent.dot(hint) * tangent;
     if (!(across.norm() > 1e-9)) {
-        throw InputError("--root-normal: is along the root tangent; give one across it");
+        throw InputError("--root-normal: must not be parallel to the root tangent");
     }
     if (!setup.natural.allFinite() || setup.natural.cwiseAbs().maxCoeff() > 1e4) {
-        throw InputError("--natural: expected three numbers within 10000");
+        throw InputError("--natural: expected three numbers from -10000 to 10000");
     }
     HangingRod rod;
     rod.root.frame.col(0) = tangent;
@@ -111,7 +112,7 @@ std::optional<double> energy_drift(const RodReport& report) {
     if (!report.release || !report.equilibrium.converged) return std::nullopt;
     const double first = report.release->samples.front().total();
     const double depth = first - report.equilibrium.energy.total();
-    // Round-off of either energy, many times over.
+    // Many times the round-off of either energy.
     if (!(depth > 1e-12 * (report.setup.gamma + 1))) return std::nullopt;
     return report.release->largest_change / depth;
 }
@@ -133,11 +134,10 @@ std::string rod_table(const RodReport& report) {
                               equilibrium.energy.elastic, equilibrium.energy.gravity,
                               equilibrium.energy.total()));
     row("stable",
-        fmt::format("{} (smallest eigenvalue {:.6g}){}",
-                    equilibrium.stable ? "yes" : "no", equilibrium.smallest_eigenvalue,
-                    equilibrium.left_branch
-                        ? ", not the continuation of the natural shape"
-                        : ""));
+        fmt::format(
+            "{} (smallest eigenvalue {:.6g}){}", equilibrium.stable ? "yes" : "no",
+            equilibrium.smallest_eigenvalue,
+            equilibrium.left_branch ? ", does not continue the natural shape" : ""));
     if (!report.modes.empty()) {
         row("frequencies", fmt::format("{:.6f}", fmt::join(report.modes, " ")));
     }
@@ -154,11 +154,11 @@ std::string rod_table(const RodReport& report) {
         const RodRelease& release = *report.release;
         const Vec3 end = tip_of(report, release.q);
         const std::optional<double> drift = energy_drift(report);
-        row("let go", fmt::format("{} steps to t = {:g}{}", release.steps,
-                                  double(release.samples.back().time),
-                                  release.finished ? "" : ", where the step failed"));
+        row("release", fmt::format("{} steps to t = {:g}{}", release.steps,
+                                   double(release.samples.back().time),
+                                   release.finished ? "" : "; the next step failed"));
         row("  tip", fmt::format("{:.8f} {:.8f} {:.8f}", end.x(), end.y(), end.z()));
-        row("  energy drift", drift ? fmt::format("{:.3g}", *drift) : "no scale for it");
+        row("  energy drift", drift ? fmt::format("{:.3g}", *drift) : "undefined");
     }
     return out;
 }

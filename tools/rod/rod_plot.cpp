@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPanel = 640;
 
-/// Points along the rod, with those of each segment enough for its turn.
+/// Points along the rod, as many per segment as its turn needs.
 std::vector<Vec3> points_of(const HangingRod& rod, const Eigen::VectorXd& q) {
     const std::vector<HelixState<double>> joints = rod_joints(rod, q);
     std::vector<Vec3> out = {joints[0].position};
@@ -22,15 +22,15 @@ std::vector<Vec3> points_of(const HangingRod& rod, const Eigen::VectorXd& q) {
         const double turn = k.norm() * rod.lengths[i];
         const int parts = int(std::clamp(std::ceil(turn * 20), 4., 5000.));
         for (int p = 1; p <= parts; ++p) {
-            HelixState<double> at = joints[i];
-            advance<double>(at, k, rod.lengths[i] * p / parts);
-            out.push_back(at.position);
+            HelixState<double> state = joints[i];
+            advance<double>(state, k, rod.lengths[i] * p / parts);
+            out.push_back(state.position);
         }
     }
     return out;
 }
 
-/// One view: what is across it, in world axes, and where it stands in the picture.
+/// A view: its horizontal axis, in world axes, and its frame in the picture.
 struct View {
     Vec3 across = Vec3::UnitX();
     Frame frame;
@@ -42,15 +42,15 @@ struct View {
     }
 };
 
-/// A shape and how it is drawn.
+/// A curve and its style.
 struct Stroke {
     std::vector<Vec3> points;
     double width;  ///< pixels
     Vec3f colour;
 };
 
-/// The strokes from the side and, where they leave that plane, from the front. `below`
-/// pixels stay free under the views.
+/// Draws the strokes from the side and, if they leave that plane, from the front. `below`
+/// is the height of the space left free under the views, pixels.
 Image draw_shapes(const Mat3& root, const std::vector<Stroke>& strokes, int below) {
     Vec3 side = root.col(0);
     side.z() = 0;
@@ -58,7 +58,7 @@ Image draw_shapes(const Mat3& root, const std::vector<Stroke>& strokes, int belo
     side.normalize();
     const Vec3 front = Vec3::UnitZ().cross(side);
 
-    // One scale for all: the longest extent fills a panel, with a twentieth to spare.
+    // One scale for all views: the longest extent and its margins fill a panel.
     std::vector<View> views(1);
     views[0].across = side;
     double off_plane = 0;
@@ -74,9 +74,9 @@ Image draw_shapes(const Mat3& root, const std::vector<Stroke>& strokes, int belo
         Vec2 low(0, 0), high(0, 0);
         for (const Stroke& stroke : strokes) {
             for (const Vec3& p : stroke.points) {
-                const Vec2 at(view.across.dot(p), p.z());
-                low = low.cwiseMin(at);
-                high = high.cwiseMax(at);
+                const Vec2 seen(view.across.dot(p), p.z());
+                low = low.cwiseMin(seen);
+                high = high.cwiseMax(seen);
             }
         }
         const Vec2 spare = Vec2::Constant(std::max(0.05 * (high - low).maxCoeff(), 0.02));
@@ -89,7 +89,7 @@ Image draw_shapes(const Mat3& root, const std::vector<Stroke>& strokes, int belo
         Frame& frame = views[i].frame;
         frame.scale.setConstant(kPanel / longest);
         frame.size = extents[i] * kPanel / longest;
-        // Wide enough for its words.
+        // Wide enough for the labels.
         frame.size.x() = std::max(frame.size.x(), 280.);
         frame.low.x() -= (frame.size.x() / frame.scale.x() - extents[i].x()) / 2;
         frame.left = width + kMargin;
@@ -105,8 +105,8 @@ Image draw_shapes(const Mat3& root, const std::vector<Stroke>& strokes, int belo
         for (const Stroke& stroke : strokes) {
             draw_line(image, view.line(stroke.points), stroke.width, stroke.colour);
         }
-        const Vec2 at = view.frame.pixel(0, 0);
-        draw_line(image, {at, at}, 12, kRed);
+        const Vec2 root_pixel = view.frame.pixel(0, 0);
+        draw_line(image, {root_pixel, root_pixel}, 12, kRed);
     }
     return image;
 }
@@ -119,7 +119,7 @@ void draw_title(Image& image, const RodReport& report, const std::string& more) 
               kLetters, kInk);
 }
 
-/// The energies in time.
+/// Draws the energies over time.
 void draw_energy(Image& image, const Frame& frame, const RodRelease& release) {
     const auto curve = [&](double ReleaseSample::*part) {
         Line out;
@@ -149,7 +149,7 @@ void write_release_plot(const std::filesystem::path& path, const RodReport& repo
     constexpr int kGraph = 360;
     Image image = draw_shapes(report.rod.root.frame, strokes, kGraph);
     draw_title(image, report,
-               fmt::format(", let go, to t = {:g}", release.samples.back().time));
+               fmt::format(", released, to t = {:g}", release.samples.back().time));
     double low = 0, high = 0;
     for (const ReleaseSample& s : release.samples) {
         for (const double e : {s.kinetic, s.elastic, s.weight, s.total()}) {

@@ -7,12 +7,12 @@
 
 namespace lancret {
 
-/// Writes the rod from the side, and from the front where it leaves that plane by a
-/// hundredth of its length: the hanging shape dark, the natural one grey, ticks in
-/// lengths. The side view looks across the root tangent's horizontal part, or n1's where
-/// the root is upright. Of a rod that was let go: its
-/// shapes from pale to dark, the equilibrium red, and below them its energies in time.
-/// Throws InputError that names the path.
+/// Draws the rod from the side and, if it leaves that plane by more than a hundredth of
+/// its length, from the front: the equilibrium dark, the natural shape grey, ticks in
+/// units of the length. The side view is perpendicular to the horizontal part of the root
+/// tangent, or of n1 if the root is upright. If the report has a release, draws its
+/// shapes from pale to dark, the equilibrium in red, and the energies over time below.
+/// Throws an InputError that names the path.
 void write_rod_plot(const std::filesystem::path& path, const RodReport& report);
 
 }  // namespace lancret
