@@ -51,7 +51,7 @@ class Curves:
     begin and end inside of the outermost points; "bezier" curves share every third point;
     "hermite" points come with derivatives. "linear" points are the corners of polylines.
 
-    The number of points varies per strand, and the strands of a chunk are sorted by it,
+    The number of points varies per strand, and the strands of a chunk are grouped by it,
     not by id. Order and counts depend on basis and max_error, but not on time.
     """
 
