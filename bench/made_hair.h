@@ -43,7 +43,8 @@ inline const Binding& made_binding(std::uint32_t children) {
 inline int made_intervals() {
     static const int intervals =
         intervals_within(made_binding(10'000), made_guides().guides, Blend::option1,
-                         GroomSettings().tolerance, CurveBasis::bspline);
+                         GroomSettings().tolerance, CurveBasis::bspline)
+            .count;
     return intervals;
 }
 

@@ -7,6 +7,7 @@
 #include "bench/memory_fill.h"
 #include "procedural/expand/expand.h"
 #include "render_test/trace/render.h"
+#include "tests/procedural/curve_box.h"
 
 namespace lancret {
 namespace {
@@ -22,7 +23,7 @@ struct MadeScene {
         const auto profiles =
             guide_profiles<float>(bench::made_guides().guides, bench::made_intervals());
         curves = expand(bench::made_binding(children), profiles, {});
-        camera = framed(bounds(curves), {});
+        camera = framed(test::box_of(curves), {});
     }
     const TriangleMesh* head() const { return &*bench::made_guides().body; }
 };

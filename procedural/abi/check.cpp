@@ -1,20 +1,13 @@
 // The entry point that checks one chunk.
 
-#include <cmath>
-
 #include "procedural/abi/chunk.h"
-#include "procedural/check/check.h"
 #include "procedural/check/chunks.h"
+#include "procedural/check/figures.h"
 #include "procedural/chunk/box.h"
 
 namespace lancret::abi {
 
 namespace {
-
-/// A NaN is the largest of all, and stays.
-void keep_largest(double& largest, float value) {
-    if (!(std::abs(double(value)) <= largest)) largest = std::abs(double(value));
-}
 
 lancret_check check_of(const OpenGroom& groom, std::uint32_t index,
                        const lancret_options* options) {
@@ -29,17 +22,19 @@ lancret_check check_of(const OpenGroom& groom, std::uint32_t index,
     expand(posed, pose->classed, settings, curves);
     CheckTolerances tolerances;
     tolerances.distance = request.max_error > 0 ? request.max_error : used.tolerance;
-    const CheckReport report = check(posed, pose->guides, pose->classed, curves,
-                                     settings.blend, used.bind.length_scale, tolerances);
+    const CheckReport report =
+        check_strands({posed, pose->guides, pose->classed, curves, settings,
+                       used.bind.length_scale, tolerances});
     lancret_check out{};
     out.strands = lancret_u32(report.strands.size());
     for (const StrandCheck& strand : report.strands) {
         out.failed += !report.passes(strand);
-        keep_largest(out.orthogonality, strand.orthogonality);
-        keep_largest(out.length_error, strand.length_error);
-        keep_largest(out.curve_length_error, strand.emitted_length_error);
-        keep_largest(out.distance, strand.distance);
     }
+    const StrandCheck largest = largest_figures(report);
+    out.orthogonality = largest.orthogonality;
+    out.length_error = largest.length_error;
+    out.curve_length_error = largest.emitted_length_error;
+    out.distance = largest.distance;
     const ChunkBox tight = chunk_box(posed, pose->classed, settings);
     out.outside = lancret_u32(strands_outside(curves, tight.box()));
     return out;

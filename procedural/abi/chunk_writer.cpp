@@ -138,16 +138,14 @@ class ChunkWriter {
     /// control points beyond its ends, so that the curve starts at 0 and ends at the
     /// strand's length.
     void write_arc_lengths() const {
-        const bool beyond =
-            request_.basis == LANCRET_BSPLINE || request_.basis == LANCRET_CATMULL_ROM;
-        const float before = beyond ? 1 : 0;
-        const int per_interval = request_.basis == LANCRET_BEZIER ? 3 : 1;
+        const BasisLayout& layout = layout_of(request_.curve);
+        const float before = float(layout.before);
         const float* length = chunk_.binding.lengths.data();
         float* to = writable(out_.arc_lengths);
         for (const ChunkClass& alike : chunk_.classes) {
             for (std::uint32_t i = 0; i < alike.strands; ++i) {
                 const float step = *length++ * float(request_.scale) /
-                                   float(alike.intervals * std::uint32_t(per_interval));
+                                   float(alike.intervals * layout.step);
                 for (std::uint32_t j = 0; j < alike.points; ++j) {
                     *to++ = (float(j) - before) * step;
                 }

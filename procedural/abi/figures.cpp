@@ -33,8 +33,8 @@ std::vector<float> figures_of(const OpenGroom& groom, const ChunkBinding& chunk,
         case LANCRET_LENGTH_ERROR: {
             const Curves curves = expand(posed, classed, settings);
             const float length_scale = groom.ready().groom.bind.length_scale;
-            return length_error_values(check(posed, pose->guides, classed, curves,
-                                             settings.blend, length_scale, {}))
+            return length_error_values(check_strands({posed, pose->guides, classed,
+                                                      curves, settings, length_scale}))
                 .values;
         }
         case LANCRET_ORTHOGONALITY:

@@ -68,7 +68,7 @@ std::shared_ptr<const StrandClasses> OpenGroom::classes(CurveBasis basis, float 
                                                         bool alike) const {
     const GroomSettings& groom = ready().groom;
     const bool as_groom = max_error == 0;
-    if (basis == CurveBasis::bezier) basis = CurveBasis::hermite;  // the same curves
+    basis = layout_of(basis).same_curve;
     const bool all_alike = alike || !groom.adapt || groom.expand.has_faces();
     return classes_.get({basis, max_error, all_alike}, [&] {
         if (as_groom && (groom.intervals || basis == groom.expand.basis)) {

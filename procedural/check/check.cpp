@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "guides/base/cancel.h"
+#include "guides/base/worst.h"
 #include "procedural/check/strand.h"
 
 namespace lancret {
@@ -18,8 +19,8 @@ struct GuideValue {
     double kappa, tau;
 };
 
-/// Values of every guide in each interval, straight from the segments; NaN where an
-/// interval holds a joint and so has no single value.
+/// Values of every guide in each interval, [guides][intervals], directly from its
+/// segments. NaN if the interval contains a joint and so has no single value.
 std::vector<GuideValue> guide_values(const Guides& guides, int intervals) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     std::vector<GuideValue> out;
@@ -32,8 +33,9 @@ std::vector<GuideValue> guide_values(const Guides& guides, int intervals) {
         std::size_t q = 0;
         for (int i = 0; i < intervals; ++i) {
             const double from = total * i / intervals, to = total * (i + 1) / intervals;
-            while (q + 1 < u.size() && from >= start + lengths[q] - slack)
+            while (q + 1 < u.size() && from >= start + lengths[q] - slack) {
                 start += lengths[q++];
+            }
             const bool whole = q + 1 == u.size() || to <= start + lengths[q] + slack;
             out.push_back(whole ? GuideValue{std::hypot(u[q].y(), u[q].z()), u[q].x()}
                                 : GuideValue{kNone, kNone});
@@ -42,9 +44,8 @@ std::vector<GuideValue> guide_values(const Guides& guides, int intervals) {
     return out;
 }
 
-/// Whether the strand's curvature and torsion lie between those of its guides, but for
-/// what single precision cannot tell: each frame is good to 5e-7, so a rotation over ds
-/// to 2e-6.
+/// Whether the strand's curvature and torsion lie between those of its guides, up to
+/// single precision: each frame is accurate to 5e-7, so a rotation over ds to 2e-6.
 bool inside_hull(std::span<const MeasuredInterval> measured,
                  std::span<const std::uint32_t> guides, std::span<const float> weights,
                  const std::vector<GuideValue>& values) {
@@ -70,11 +71,12 @@ bool inside_hull(std::span<const MeasuredInterval> measured,
             return x >= low - room && x <= high + room;
         };
         const bool kappa_fits = inside(m.kappa, kappa_low, kappa_high);
-        // A rotation of half a turn or more comes back as the other way round: such
-        // intervals are too long to tell.
-        const double most_tau = std::max(std::abs(tau_low), std::abs(tau_high));
-        const bool tau_shows = std::hypot(most_tau, m.kappa) * m.length < 3;
-        if (!kappa_fits || (tau_shows && !inside(m.tau, tau_low, tau_high))) return false;
+        // A rotation of half a turn or more is measured as one in the other direction:
+        // such intervals are too long to compare.
+        const double max_tau = std::max(std::abs(tau_low), std::abs(tau_high));
+        const bool tau_is_measured = std::hypot(max_tau, m.kappa) * m.length < 3;
+        if (!kappa_fits || (tau_is_measured && !inside(m.tau, tau_low, tau_high)))
+            return false;
     }
     return true;
 }
@@ -86,26 +88,15 @@ bool finite(std::span<const Point4f> points) {
     });
 }
 
-/// All that every strand is looked at with.
-struct Proof {
-    const Binding& binding;
-    const Guides& guides;
-    const Curves& curves;
-    Blend blend;
-    double length_scale;
-    double root_tolerance;    ///< cm
-    Eigen::AlignedBox3d box;  ///< of the curves
-};
-
-/// What is found on child i, of these places.
-StrandCheck check_strand(const Proof& proof, const std::vector<GuideValue>& values,
+/// The measurements of child i from its places `states`; `measured` is reused memory.
+StrandCheck check_strand(const CheckInput& input, const std::vector<GuideValue>& values,
                          std::size_t i, std::span<const HelixState<float>> states,
                          std::vector<MeasuredInterval>& measured) {
-    const Binding& binding = proof.binding;
+    const Binding& binding = input.binding;
     const std::size_t n = states.size() - 1, k = std::size_t(binding.neighbours);
-    const EmittedStrand emitted = emitted_strand(proof.curves, i);
-    const std::span own_guides(&binding.guides[i * k], k);
-    const std::span own_weights(&binding.weights[i * k], k);
+    const EmittedStrand emitted = emitted_strand(input.curves, i);
+    const std::span guides(&binding.guides[i * k], k);
+    const std::span weights(&binding.weights[i * k], k);
     const Vec3 root = binding.roots.positions[i].cast<double>();
     StrandCheck out;
     out.strand = binding.roots.id(i);
@@ -113,10 +104,10 @@ StrandCheck check_strand(const Proof& proof, const std::vector<GuideValue>& valu
 
     double intended = 0, weight = 0;
     for (std::size_t j = 0; j < k; ++j) {
-        intended += double(own_weights[j]) * guide_length(proof.guides, own_guides[j]);
-        weight += own_weights[j];
+        intended += double(weights[j]) * guide_length(input.guides, guides[j]);
+        weight += weights[j];
     }
-    intended *= proof.length_scale / weight;
+    intended *= input.length_scale / weight;
     double length = 0, distance = 0;
     measured.resize(n);
     for (std::size_t j = 0; j < n; ++j) {
@@ -124,7 +115,7 @@ StrandCheck check_strand(const Proof& proof, const std::vector<GuideValue>& valu
         length += measured[j].length;
         const Eigen::Matrix3d frame = states[j].frame.cast<double>();
         for (const double t : {0.25, 0.5, 0.75}) {
-            // Only what lies across the strand is a distance from it.
+            // Only what lies across the strand counts.
             const Vec3 off =
                 emitted.position(j, t) - root - place_on(states[j], measured[j], t);
             const Vec3 tangent =
@@ -140,29 +131,21 @@ StrandCheck check_strand(const Proof& proof, const std::vector<GuideValue>& valu
     out.root_distance = float((emitted.position(0, 0) - root).norm());
     out.finite = finite(emitted.points) && finite(emitted.tangents) &&
                  std::isfinite(length) && std::isfinite(out.orthogonality);
-    // No further from its root than it is long, and in the box that a host is told.
     const Vec3 tip = emitted.position(n - 1, 1);
     out.tip_within_reach =
-        proof.box.contains(tip) &&
-        (tip - root).norm() <= intended * (1 + 1e-4) + proof.root_tolerance;
-    out.inside_hull = inside_hull(measured, own_guides, own_weights, values);
+        (tip - root).norm() <= intended * (1 + 1e-4) + input.tolerances.root;
+    out.inside_hull = inside_hull(measured, guides, weights, values);
     return out;
 }
 
 }  // namespace
 
-CheckReport check(const Binding& binding, const Guides& guides,
-                  const ClassedGuides& classed, const Curves& curves, Blend blend,
-                  double length_scale, const CheckTolerances& tolerances) {
-    const Proof proof{binding,
-                      guides,
-                      curves,
-                      blend,
-                      length_scale,
-                      tolerances.root,
-                      bounds(curves).cast<double>()};
+CheckReport check_strands(const CheckInput& input) {
+    const Binding& binding = input.binding;
+    const ClassedGuides& classed = input.classed;
+    const Blend blend = input.settings.blend;
     CheckReport report;
-    report.tolerances = tolerances;
+    report.tolerances = input.tolerances;
     report.hull_applies = traits_of(blend).keeps_hull;
     report.strands.resize(binding.size());
     using Range = tbb::blocked_range<std::size_t>;
@@ -170,16 +153,16 @@ CheckReport check(const Binding& binding, const Guides& guides,
                [&](std::size_t c, std::size_t first, std::size_t last) {
                    const GuideProfiles<float>& profiles = classed.profiles[c];
                    const std::vector<GuideValue> values =
-                       guide_values(guides, profiles.count);
+                       guide_values(input.guides, profiles.count);
                    cancellable_for(Range(first, last, 256), [&](const Range& range) {
                        std::vector<MeasuredInterval> measured;
-                       each_strand(
-                           {binding, profiles, classed.kernel(c), blend}, range.begin(),
-                           range.end(),
-                           [&](std::size_t i, std::span<const HelixState<float>> states) {
-                               report.strands[i] =
-                                   check_strand(proof, values, i, states, measured);
-                           });
+                       const auto visit = [&](std::size_t i,
+                                              std::span<const HelixState<float>> states) {
+                           report.strands[i] =
+                               check_strand(input, values, i, states, measured);
+                       };
+                       each_strand({binding, profiles, classed.kernel(c), blend},
+                                   range.begin(), range.end(), visit);
                    });
                });
     return report;
@@ -190,20 +173,16 @@ double CheckReport::severity(const StrandCheck& s) const {
     if (!s.finite || !s.tip_within_reach || (hull_applies && !s.inside_hull)) {
         return std::numeric_limits<double>::infinity();
     }
-    // Nothing off is within a tolerance of nothing.
-    const auto share_of = [](double size, double tolerance) {
-        return size == 0 ? 0 : std::abs(size) / tolerance;
+    // An error of 0 keeps a tolerance of 0.
+    const auto share_of = [](double error, double tolerance) {
+        return error == 0 ? 0 : std::abs(error) / tolerance;
     };
     const double shares[] = {
         share_of(s.orthogonality, t.orthogonality), share_of(s.length_error, t.length),
         share_of(s.emitted_length_error, t.emitted_length),
         share_of(s.distance, t.distance), share_of(s.root_distance, t.root)};
     double worst = 0;
-    for (const double share : shares) {
-        // A NaN is infinitely bad.
-        if (std::isnan(share)) return std::numeric_limits<double>::infinity();
-        worst = std::max(worst, share);
-    }
+    for (const double share : shares) worst = worst_of(worst, share);
     return worst;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The proof: every strand looked at, by measurements of its own on the places and frames
-// that synthesis exposes and on the control points that expansion made.
+// The check: measures every strand independently of the code that made it, from the
+// places and frames of synthesis and the control points of expansion.
 
 #include <cstdint>
 #include <vector>
@@ -11,43 +11,50 @@
 
 namespace lancret {
 
-/// What was found on one strand.
+/// The measurements of one strand.
 struct StrandCheck {
-    std::uint32_t strand = 0;      ///< its id
-    bool finite = true;            ///< every place, frame and control point
-    bool tip_within_reach = true;  ///< the tip, in the curves' box and within reach
-    bool inside_hull =
-        true;  ///< kappa and tau, between its guides', where no joint is near
-    float orthogonality = 0;         ///< max |R^T R - I| over its places
-    float length_error = 0;          ///< arc length over intended length - 1
-    float emitted_length_error = 0;  ///< the same for the control points' curve
-    float distance = 0;              ///< cm, the emitted curve from the strand, at most
-    float root_distance = 0;         ///< cm, the emitted curve's start from the root
+    std::uint32_t strand = 0;        ///< its id
+    bool finite = true;              ///< every place, frame and control point
+    bool tip_within_reach = true;    ///< the tip is no farther from the root than the
+                                     ///< strand is long
+    bool inside_hull = true;         ///< kappa and tau lie between those of the guides;
+                                     ///< intervals that contain a joint are not measured
+    float orthogonality = 0;         ///< max |R^T R - I| over its frames
+    float length_error = 0;          ///< arc length / intended length - 1
+    float emitted_length_error = 0;  ///< the same for the emitted curve
+    float distance = 0;              ///< cm, max from the emitted curve to the strand
+    float root_distance = 0;  ///< cm, from the start of the emitted curve to the root
 };
 
 struct CheckReport {
     CheckTolerances tolerances;
-    bool hull_applies = true;  ///< false for blends that do not work in kappa and tau
+    bool hull_applies = true;          ///< whether the blend interpolates kappa and tau
     std::vector<StrandCheck> strands;  ///< [children], in their order
 
-    /// The largest share of a tolerance that `strand` uses; above 1 it fails, infinitely
-    /// where something is not a matter of degree.
+    /// The largest fraction of a tolerance that `strand` uses. It fails above 1. Infinite
+    /// if a flag fails or a measurement is NaN.
     double severity(const StrandCheck& strand) const;
-    /// True where `strand` keeps all tolerances.
     bool passes(const StrandCheck& strand) const;
+    /// Whether every strand passes.
     bool pass() const;
-    /// The n strands that are worst, by the largest share of a tolerance.
+    /// The n strands of largest severity, worst first.
     std::vector<StrandCheck> worst(std::size_t n) const;
 };
 
-/// Looks at every child: at the frames and places of the very kernel that expansion used,
-/// and at `curves`, which is what it made of `binding`, each at its own class. Arc length
-/// is measured from the chords between places and the rotations between frames, by
-/// quadrature for the emitted curve; curvature and torsion are compared with the guides'
-/// own.
-/// `guides` are those of `classed`.
-CheckReport check(const Binding& binding, const Guides& guides,
-                  const ClassedGuides& classed, const Curves& curves, Blend blend,
-                  double length_scale, const CheckTolerances& tolerances);
+/// The children of one time, with the curves that expansion made of them.
+struct CheckInput {
+    const Binding& binding;        ///< posed at that time
+    const Guides& guides;          ///< of `classed`
+    const ClassedGuides& classed;  ///< as used by expansion
+    const Curves& curves;
+    const ExpandSettings& settings;
+    double length_scale = 1;  ///< children's length over their guides'
+    CheckTolerances tolerances{};
+};
+
+/// Measures every child, each at its class. Arc length is measured from the chords
+/// between places and the rotations between frames, and by quadrature for the emitted
+/// curve. Curvature and torsion are compared with those of the guides.
+CheckReport check_strands(const CheckInput& input);
 
 }  // namespace lancret

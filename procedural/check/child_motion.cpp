@@ -7,26 +7,27 @@
 #include <vector>
 
 #include "guides/base/cancel.h"
+#include "guides/base/worst.h"
 #include "procedural/blend/motion_limit.h"
 
 namespace lancret {
 
 namespace {
 
-/// A child and its guides at one time, told in what carries its root.
-class Seen {
+/// A child and its guides at one time, expressed in the frame of its carrier.
+class ChildAtTime {
   public:
-    Seen(const Moment& moment, Blend blend, std::size_t i)
+    ChildAtTime(const Moment& moment, Blend blend, std::size_t i)
         : profiles_(*moment.profiles),
           bound_(bound_child(*moment.binding, profiles_, i)),
           states_(profiles_.count + 1) {
-        const std::size_t own = moment.carriers.size() == 1 ? 0 : i;
-        unturn_ = moment.carriers[own].rotation.transpose();
+        const std::size_t carrier = moment.carriers.size() == 1 ? 0 : i;
+        unturn_ = moment.carriers[carrier].rotation.transpose();
         blend_function<double>(blend)(bound_.child(), profiles_, states_);
         double length = 0;
         for (std::size_t k = 0; k < bound_.count; ++k) {
             length += bound_.weights[k] * profiles_.lengths[bound_.guides[k]];
-            // Positions are blended as they stand in space.
+            // `position` blends the guides as they stand in space.
             const Mat3& turn = traits_of(blend).mean_places
                                    ? profiles_.root_frames[bound_.guides[k]]
                                    : bound_.to_space[k];
@@ -36,11 +37,12 @@ class Seen {
     }
     std::size_t guides() const { return bound_.count; }
     std::size_t places() const { return states_.size(); }
-    /// In what carries the root.
+    /// The bound child in the frame of the carrier.
     BoundChild<double> carried() const {
         BoundChild<double> out = bound_;
-        for (std::size_t k = 0; k < out.count; ++k)
+        for (std::size_t k = 0; k < out.count; ++k) {
             out.to_space[k] = unturn_ * out.to_space[k];
+        }
         return out;
     }
     const GuideProfiles<double>& profiles() const { return profiles_; }
@@ -58,24 +60,25 @@ class Seen {
     double scale_;
 };
 
-void check_moments(const Moment& a, const Moment& b) {
+void validate(const Moment& a, const Moment& b) {
     for (const Moment* m : {&a, &b}) {
         if (m->carriers.size() != 1 && m->carriers.size() != m->binding->size()) {
-            throw std::invalid_argument("temporal_check: each child needs its carrier");
+            throw std::invalid_argument(
+                "child_motion: need one carrier per child, or one for all");
         }
     }
     if (a.profiles->count != b.profiles->count ||
         a.profiles->size() != b.profiles->size() ||
         a.binding->size() != b.binding->size()) {
-        throw std::invalid_argument("temporal_check: the times are not of one groom");
+        throw std::invalid_argument("child_motion: the moments are not of one groom");
     }
 }
 
 }  // namespace
 
 ChildMotion child_motion(const Moment& a, const Moment& b, Blend blend, std::size_t i) {
-    check_moments(a, b);
-    const Seen before(a, blend, i), after(b, blend, i);
+    validate(a, b);
+    const ChildAtTime before(a, blend, i), after(b, blend, i);
     ChildMotion out;
     for (std::size_t j = 0; j < before.places(); ++j) {
         out.child = std::max(out.child, (after.place(j) - before.place(j)).norm());
@@ -84,25 +87,24 @@ ChildMotion child_motion(const Moment& a, const Moment& b, Blend blend, std::siz
             out.guides = std::max(out.guides, step.norm());
         }
     }
-    if (const auto bound = amplification_bound(blend)) out.bound = *bound * out.guides;
+    if (const auto limit = amplification_limit(blend)) out.limit = *limit * out.guides;
     const BlendTraits& traits = traits_of(blend);
     if (traits.anchored && traits.rates == BlendRates::copied) {
         const BoundChild<double> from = before.carried(), to = after.carried();
-        out.bound = anchored_motion_limit(
+        out.limit = anchored_motion_limit(
             {from.child(), to.child(), before.profiles(), after.profiles()});
     }
     return out;
 }
 
-TemporalReport temporal_check(const Moment& a, const Moment& b, Blend blend) {
-    check_moments(a, b);
+MotionReport check_motion(const Moment& a, const Moment& b, Blend blend) {
+    validate(a, b);
     std::vector<ChildMotion> motions(a.binding->size());
     cancellable_for(std::size_t(0), motions.size(),
                     [&](std::size_t i) { motions[i] = child_motion(a, b, blend, i); });
-    TemporalReport out;
+    MotionReport out;
     for (std::size_t i = 0; i < motions.size(); ++i) {
         const ChildMotion& m = motions[i];
-        // A NaN is infinitely far, so that it shows.
         const double amplification = std::isnan(m.child) || std::isnan(m.guides)
                                          ? std::numeric_limits<double>::infinity()
                                          : m.amplification();
@@ -111,11 +113,8 @@ TemporalReport temporal_check(const Moment& a, const Moment& b, Blend blend) {
             out.child = a.binding->roots.id(i);
             out.motion = m;
         }
-        if (m.bound) {
-            const double share = m.share_of_limit();
-            out.share_of_limit = std::max(
-                out.share_of_limit,
-                std::isnan(share) ? std::numeric_limits<double>::infinity() : share);
+        if (m.limit) {
+            out.share_of_limit = worst_of(out.share_of_limit, m.share_of_limit());
         }
         out.largest_child = std::max(out.largest_child, m.child);
         out.largest_guides = std::max(out.largest_guides, m.guides);
@@ -123,8 +122,8 @@ TemporalReport temporal_check(const Moment& a, const Moment& b, Blend blend) {
     return out;
 }
 
-std::optional<double> amplification_bound(Blend blend) {
-    // A place is the weighted mean of the guides', and so is its step.
+std::optional<double> amplification_limit(Blend blend) {
+    // A place is the weighted mean of the guides' places, and so is its motion.
     if (traits_of(blend).mean_places) return 1;
     return std::nullopt;
 }

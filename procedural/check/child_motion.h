@@ -1,6 +1,6 @@
 #pragma once
-// Whether children move as their guides do: how far a child's places go between two
-// times, beside how far those of its guides go.
+// Whether children move as their guides do: how far the places of a child move between
+// two times, compared with those of its guides.
 
 #include <algorithm>
 #include <optional>
@@ -11,54 +11,55 @@
 
 namespace lancret {
 
-/// Guides' motion below this counts as this much, cm: a twentieth of a hair's width. A
-/// child that jumps while its guides rest still shows.
+/// Lower limit that guides' motion is raised to, cm: a twentieth of a hair's width. A
+/// child that jumps while its guides rest still stands out.
 inline constexpr double kMinMotion = 5e-4;
 
-/// The children at one time. The binding is posed there; the profiles are of that time.
-/// `carriers` take out how each child's root is carried along and turned: [children], or
-/// one for all of them.
+/// The children at one time: the binding posed at that time, and the profiles of that
+/// time. `carriers` are the rigid motions of the children's roots, which are factored
+/// out: [children], or one for all.
 struct Moment {
     const Binding* binding = nullptr;
     const GuideProfiles<double>* profiles = nullptr;
     std::span<const RigidPose> carriers;
 };
 
-/// What a child does between two times, seen from its root and turned along with it.
+/// The motion of a child between two times, relative to its carrier.
 struct ChildMotion {
-    double child = 0;   ///< the farthest that a place s / L of it goes, cm
-    double guides = 0;  ///< the farthest that a place of any of its guides goes, cm, as
-                        ///< if that guide stood on the child's root, lengthened or
-                        ///< shortened as the child is
-    std::optional<double> bound;  ///< cm, that `child` may not go beyond, from what the
-                                  ///< guides do, where the blend has one
-    /// child / guides, guides' motion being at least kMinMotion.
+    double child = 0;   ///< cm, the largest motion of a place at constant s / L
+    double guides = 0;  ///< cm, the same of its guides, as if each stood on the child's
+                        ///< root and were scaled to its length
+    std::optional<double> limit;  ///< cm, upper limit of `child` that follows from the
+                                  ///< guides' motion; nullopt if the blend has none
+    /// child / guides, with guides' motion raised to kMinMotion.
     double amplification() const { return child / std::max(guides, kMinMotion); }
-    /// child / bound, the bound being at least kMinMotion; 0 without one.
+    /// child / limit, with the limit raised to kMinMotion; 0 without one.
     double share_of_limit() const {
-        return bound ? child / std::max(*bound, kMinMotion) : 0;
+        return limit ? child / std::max(*limit, kMinMotion) : 0;
     }
 };
 
-/// Of child i; `a` and `b` are of one binding. Where the blend works in directions that
-/// binding turns from the guide's root to the child's, so are its guides'.
+/// The motion of child i from `a` to `b`, two moments of one binding. If the blend works
+/// on directions, which binding turns from the guide's root to the child's, its guides
+/// are turned too. Throws std::invalid_argument.
 ChildMotion child_motion(const Moment& a, const Moment& b, Blend blend, std::size_t i);
 
-/// The most of all children: each figure's largest value, and whose it is.
-struct TemporalReport {
+/// The largest values over all children.
+struct MotionReport {
     double amplification = 0;
-    std::uint32_t child = 0;    ///< whose that is, the first such
+    std::uint32_t child = 0;    ///< id of the first child with that amplification
     ChildMotion motion;         ///< of that child
-    double share_of_limit = 0;  ///< the largest of all children's; above 1 one jumps
+    double share_of_limit = 0;  ///< above 1 a child jumps
     double largest_child = 0;   ///< cm, of all children
     double largest_guides = 0;  ///< cm, of all children's guides
 };
 
-/// Looks at every child on all threads; the same for any number of them.
-TemporalReport temporal_check(const Moment& a, const Moment& b, Blend blend);
+/// Measures every child from `a` to `b`, in parallel; the same for any number of threads.
+/// Throws std::invalid_argument.
+MotionReport check_motion(const Moment& a, const Moment& b, Blend blend);
 
-/// What a blend's amplification cannot go beyond, whatever its guides do; nothing where
-/// there is no such number. docs/time.md derives it.
-std::optional<double> amplification_bound(Blend blend);
+/// Upper limit of a blend's amplification for any motion of the guides; nullopt if there
+/// is none. Derived in docs/time.md.
+std::optional<double> amplification_limit(Blend blend);
 
 }  // namespace lancret

@@ -1,18 +1,15 @@
 #pragma once
-// The figures of a strand's check, said once for every report.
-
-#include <cmath>
-#include <nlohmann/json.hpp>
+// The measurements of a strand, listed once for every report.
 
 #include "procedural/check/check.h"
 
 namespace lancret {
 
-/// One figure of a strand, as the reports name it.
+/// A measurement of a strand and its names in reports.
 struct Figure {
     const char* key;      ///< in JSON
-    const char* max_key;  ///< of its maximum there
-    const char* title;    ///< in the table
+    const char* max_key;  ///< of its maximum, in JSON
+    const char* title;    ///< in tables
     float StrandCheck::*value;
     double CheckTolerances::*tolerance;
 };
@@ -29,15 +26,8 @@ inline constexpr Figure kFigures[] = {
      &CheckTolerances::root},
 };
 
-/// A number as JSON can hold it: what is not finite becomes null.
-inline nlohmann::json number_json(double value) {
-    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
-
-/// A frame's number: whole where it is whole.
-inline nlohmann::json frame_json(double frame) {
-    if (frame == std::floor(frame)) return std::int64_t(frame);
-    return frame;
-}
+/// The largest absolute value of every figure over the strands; NaN counts as infinite.
+/// The other fields have their defaults.
+StrandCheck largest_figures(const CheckReport& report);
 
 }  // namespace lancret

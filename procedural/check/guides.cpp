@@ -11,7 +11,8 @@ GuideCheck check_guides(const Guides& now, const Guides& rest,
                         std::span<const Vec3> scalp_roots) {
     if (now.size() != rest.size() || now.segments != rest.segments ||
         scalp_roots.size() != now.size()) {
-        throw std::invalid_argument("check_guides: other guides than at rest");
+        throw std::invalid_argument(
+            "check_guides: not the guides that were given at rest");
     }
     GuideCheck out;
     for (std::size_t g = 0; g < now.size(); ++g) {

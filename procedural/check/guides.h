@@ -1,5 +1,5 @@
 #pragma once
-// The guides of one time, looked at: what a simulation may have done to them.
+// The check of guides at one time, which a simulation may have changed.
 
 #include <span>
 
@@ -7,23 +7,23 @@
 
 namespace lancret {
 
-/// What was found on the guides of one time.
+/// The measurements of the guides at one time, each the largest over the guides.
 struct GuideCheck {
     bool finite = true;            ///< every root, frame and curvature
-    double orthogonality = 0;      ///< max |R^T R - I| over the root frames
-    double length_change = 0;      ///< relative, of any segment since rest, at most
-    double root_distance = 0;      ///< cm, of a root from its place on the scalp, at most
-    std::uint32_t worst_root = 0;  ///< the guide that this is
-    bool root_applies = true;      ///< false where guides may have stood off the scalp
+    double orthogonality = 0;      ///< max |R^T R - I| of the root frames
+    double length_change = 0;      ///< relative, of a segment since rest
+    double root_distance = 0;      ///< cm, of a root from its place on the scalp
+    std::uint32_t worst_root = 0;  ///< the guide of that root
+    bool root_applies = true;  ///< false if guides may have stood off the scalp at rest
 };
 
-/// Compares the guides of one time with those at rest and with where the scalp has their
-/// roots then, [guides], cm.
+/// Compares the guides with those at rest and with the places of their roots on the scalp
+/// at that time, [guides], cm. Throws std::invalid_argument if their numbers differ.
 GuideCheck check_guides(const Guides& now, const Guides& rest,
                         std::span<const Vec3> scalp_roots);
 
-/// Whether the guides keep `orthogonality` and `root` of the tolerances; lengths keep
-/// their bits.
+/// Whether the guides keep the tolerances `orthogonality` and `root`; their lengths must
+/// keep their bits.
 bool passes(const GuideCheck& check, const CheckTolerances& tolerances);
 
 }  // namespace lancret

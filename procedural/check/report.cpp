@@ -7,7 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "guides/base/worst.h"
 #include "procedural/check/figures.h"
+#include "procedural/check/json_numbers.h"
 
 namespace lancret {
 
@@ -24,9 +26,7 @@ Summary summary(const CheckReport& report, float StrandCheck::*value) {
     sizes.reserve(report.strands.size());
     Summary out;
     for (const StrandCheck& s : report.strands) {
-        // A NaN sorts last and so shows as the maximum.
-        const float size = std::abs(s.*value);
-        sizes.push_back(std::isnan(size) ? std::numeric_limits<float>::infinity() : size);
+        sizes.push_back(nan_as_infinity(std::abs(s.*value)));
         out.mean += sizes.back();
     }
     if (sizes.empty()) return out;
@@ -41,14 +41,14 @@ Summary summary(const CheckReport& report, float StrandCheck::*value) {
     return out;
 }
 
-/// Decades of the relative length error: bin i holds 10^(i - 9) up to 10^(i - 8), the
-/// first all below, the last all above.
+/// Number of strands per decade of the relative length error: bin i counts 10^(i - 9) up
+/// to 10^(i - 8), the first also everything below, the last everything above.
 std::array<std::size_t, 10> length_histogram(const CheckReport& report) {
     std::array<std::size_t, 10> bins{};
     for (const StrandCheck& s : report.strands) {
         const double size = std::abs(s.length_error);
         const double decade = size == 0 ? 0 : std::floor(std::log10(size)) + 9;
-        // Written so that a NaN lands in the last bin.
+        // A NaN is counted in the last bin.
         bins[decade < 9 ? std::size_t(std::max(0.0, decade)) : 9] += 1;
     }
     return bins;
@@ -75,20 +75,20 @@ std::string check_table(const CheckReport& report) {
     }
     const auto outside_hull = count_of(report, [](auto& s) { return !s.inside_hull; });
     out += fmt::format("kappa and tau outside the guides' hull: {}{}\n", outside_hull,
-                       report.hull_applies ? "" : " (not asked of this blend)");
-    out += fmt::format("not finite: {}    tip outside the bound: {}\n",
+                       report.hull_applies ? "" : " (does not apply to this blend)");
+    out += fmt::format("not finite: {}    tip out of reach: {}\n",
                        count_of(report, [](auto& s) { return !s.finite; }),
                        count_of(report, [](auto& s) { return !s.tip_within_reach; }));
 
     out += "\nrelative length error, strands\n";
     const auto bins = length_histogram(report);
-    const std::size_t most = std::max<std::size_t>(1, std::ranges::max(bins));
+    const std::size_t fullest = std::max<std::size_t>(1, std::ranges::max(bins));
     for (std::size_t i = 0; i < bins.size(); ++i) {
         const std::string label = i == 0   ? "below 1e-8"
-                                  : i == 9 ? "1 and more"
+                                  : i == 9 ? "1 or more"
                                            : fmt::format("from 1e{}", int(i) - 9);
         out += fmt::format("  {:10} {:>9} {}\n", label, bins[i],
-                           std::string((40 * bins[i] + most - 1) / most, '#'));
+                           std::string((40 * bins[i] + fullest - 1) / fullest, '#'));
     }
 
     out += fmt::format("\nworst strands\n{:>10} {:>14} {:>11} {:>11} {:>11} {:>6}\n",
@@ -102,7 +102,7 @@ std::string check_table(const CheckReport& report) {
         count_of(report, [&](auto& s) { return !report.passes(s); });
     out += failed == 0
                ? fmt::format("\nPASS: all {} strands keep every tolerance\n", strands)
-               : fmt::format("\nFAIL: {} of {} strands go beyond a tolerance\n", failed,
+               : fmt::format("\nFAIL: {} of {} strands exceed a tolerance\n", failed,
                              strands);
     return out;
 }
@@ -121,15 +121,16 @@ nlohmann::json check_json(const CheckReport& report) {
                            {"tolerance", report.tolerances.*figure.tolerance}};
     }
     out["hull"] = {{"outside", count_of(report, [](auto& s) { return !s.inside_hull; })},
-                   {"asked", report.hull_applies}};
+                   {"applies", report.hull_applies}};
     out["non_finite"] = count_of(report, [](auto& s) { return !s.finite; });
-    out["outside_bound"] = count_of(report, [](auto& s) { return !s.tip_within_reach; });
+    out["out_of_reach"] = count_of(report, [](auto& s) { return !s.tip_within_reach; });
     out["length"]["histogram"] = length_histogram(report);
     out["worst"] = nlohmann::json::array();
     for (const StrandCheck& s : report.worst(kWorst)) {
         nlohmann::json entry = {{"strand", s.strand}, {"ok", report.passes(s)}};
-        for (const Figure& figure : kFigures)
+        for (const Figure& figure : kFigures) {
             entry[figure.key] = number_json(s.*figure.value);
+        }
         out["worst"].push_back(std::move(entry));
     }
     return out;

@@ -1,5 +1,5 @@
 #pragma once
-// The check's findings, for people and for programs.
+// The check of one frame as text and JSON.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace lancret {
 
-/// A readable table: each figure's median, 99th percentile and maximum beside its
-/// tolerance, a histogram of the length error, and the ten worst strands. Ends with a
-/// line PASS or FAIL.
+/// A table of each figure's median, 99th percentile and maximum with its tolerance, a
+/// histogram of the length error, and the ten worst strands. Ends with a line PASS or
+/// FAIL.
 std::string check_table(const CheckReport& report);
 
 /// {strands, pass, failed, orthogonality.{max, tolerance}, length.{max_relative_error,
 /// mean, tolerance}, emitted_length.{...}, distance.{max_cm, tolerance}, root.{...},
-/// hull.{outside, asked}, non_finite, outside_bound, histogram, worst: [{strand, ...}]}
+/// hull.{outside, applies}, non_finite, out_of_reach, histogram, worst: [{strand, ...}]}
 nlohmann::json check_json(const CheckReport& report);
 
 }  // namespace lancret

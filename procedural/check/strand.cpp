@@ -9,7 +9,7 @@ namespace {
 
 double sinc(double x) { return std::abs(x) < 1e-6 ? 1 - x * x / 6 : std::sin(x) / x; }
 
-/// Bernstein weights of a cubic or their derivative, applied to four Bezier points.
+/// A cubic Bezier curve at t.
 Vec3 bezier(const std::array<Vec3, 4>& p, double t) {
     const double r = 1 - t;
     return r * r * r * p[0] + 3 * t * r * r * p[1] + 3 * t * t * r * p[2] +
@@ -24,7 +24,7 @@ Vec3 bezier_derivative(const std::array<Vec3, 4>& p, double t) {
 
 Vec3 wide(const Point4f& p) { return {p.x, p.y, p.z}; }
 
-/// Any basis as Bezier points: one evaluation for all, and not the renderer's.
+/// Segment j in any basis as Bezier points, so that one evaluation serves all bases.
 std::array<Vec3, 4> bezier_points(const EmittedStrand& strand, std::size_t j) {
     if (strand.basis == CurveBasis::bezier) {
         const auto* p = &strand.points[3 * j];
@@ -68,7 +68,7 @@ MeasuredInterval measured_interval(const HelixState<float>& a,
 }
 
 Vec3 place_on(const HelixState<float>& a, const MeasuredInterval& interval, double t) {
-    // Along the axis at constant speed, round it on a circle.
+    // Constant speed along the axis, a circle around it.
     const double w = interval.angle * t, s = interval.length * t, p = interval.axis.x();
     const Vec3 along = p * interval.axis, round = Vec3::UnitX() - along;
     const Vec3 side = interval.axis.cross(Vec3::UnitX());
@@ -82,8 +82,7 @@ double orthogonality_error(std::span<const HelixState<float>> states) {
     for (const HelixState<float>& state : states) {
         const Mat3 r = state.frame.cast<double>();
         const Mat3 off = r.transpose() * r - Mat3::Identity();
-        // A NaN would pass through the largest coefficient unseen, or be forgotten at the
-        // next frame.
+        // maxCoeff would miss a NaN.
         if (!off.allFinite()) return std::numeric_limits<double>::infinity();
         worst = std::max(worst, off.cwiseAbs().maxCoeff());
     }
@@ -91,15 +90,7 @@ double orthogonality_error(std::span<const HelixState<float>> states) {
 }
 
 std::size_t EmittedStrand::segments() const {
-    switch (basis) {
-        case CurveBasis::bspline:
-        case CurveBasis::catmull_rom:
-            return points.size() - 3;
-        case CurveBasis::bezier:
-            return (points.size() - 1) / 3;
-        default:
-            return points.size() - 1;
-    }
+    return layout_of(basis).segments(std::uint32_t(points.size()));
 }
 
 Vec3 EmittedStrand::position(std::size_t segment, double t) const {
@@ -126,10 +117,11 @@ double EmittedStrand::length() const {
 }
 
 EmittedStrand emitted_strand(const Curves& curves, std::size_t i) {
-    const auto own = [&](const Buffer<Point4f>& of_all) {
-        return curves.of_strand(of_all, std::uint32_t(i));
+    const auto part = [&](const Buffer<Point4f>& buffer) {
+        return curves.of_strand(buffer, std::uint32_t(i));
     };
-    return {curves.basis, own(curves.points), own(curves.tangents), own(curves.normals)};
+    return {curves.basis, part(curves.points), part(curves.tangents),
+            part(curves.normals)};
 }
 
 }  // namespace lancret

@@ -20,7 +20,7 @@ float finite(double value) {
     return std::isfinite(value) ? float(std::clamp<double>(value, -kMax, kMax)) : kMax;
 }
 
-/// Values of every child from its places, at its class: figure(states, j).
+/// figure(states, j) for every place or interval j of every child, at its class.
 template <class Figure>
 StrandValues values_of(const Binding& binding, const ClassedGuides& guides, Blend blend,
                        bool at_places, const Figure& figure) {
@@ -30,19 +30,19 @@ StrandValues values_of(const Binding& binding, const ClassedGuides& guides, Blen
     using Range = tbb::blocked_range<std::size_t>;
     each_class(
         guides.classes, binding, [&](std::size_t c, std::size_t first, std::size_t last) {
-            const std::size_t each = std::size_t(guides.profiles[c].count) + at_places;
+            const std::size_t count = std::size_t(guides.profiles[c].count) + at_places;
             for (std::size_t i = first; i < last; ++i) {
-                out.first.push_back(out.first.back() + each);
+                out.first.push_back(out.first.back() + count);
             }
             out.values.resize(out.first.back());
-            const auto put = [&](std::size_t i, States states) {
-                for (std::size_t j = 0; j < each; ++j) {
+            const auto write = [&](std::size_t i, States states) {
+                for (std::size_t j = 0; j < count; ++j) {
                     out.values[out.first[i] + j] = finite(figure(states, j));
                 }
             };
             cancellable_for(Range(first, last, 256), [&](const Range& range) {
                 each_strand({binding, guides.profiles[c], guides.kernel(c), blend},
-                            range.begin(), range.end(), put);
+                            range.begin(), range.end(), write);
             });
         });
     return out;

@@ -1,22 +1,22 @@
 #pragma once
-// What check measures, kept place by place: for pictures of it.
+// The measurements of the check along every strand, for rendering them.
 
 #include "procedural/check/check.h"
 #include "procedural/curves/strand_values.h"
 
 namespace lancret {
 
-/// The sizes of the strands' relative length errors, as `check` has found them.
+/// The absolute relative length error of every strand.
 StrandValues length_error_values(const CheckReport& report);
 
-/// max |R^T R - I| at every place. Their largest on a strand is what `check` reports.
+/// max |R^T R - I| at every place. The largest of a strand is StrandCheck::orthogonality.
 StrandValues orthogonality_values(const Binding& binding, const ClassedGuides& guides,
                                   Blend blend);
 
-/// Curvature and torsion in every interval, 1/cm, as `check` compares them with the
-/// guides'.
+/// Curvature in every interval, 1/cm, as the check compares it with that of the guides.
 StrandValues curvature_values(const Binding& binding, const ClassedGuides& guides,
                               Blend blend);
+/// Torsion in every interval, 1/cm.
 StrandValues torsion_values(const Binding& binding, const ClassedGuides& guides,
                             Blend blend);
 

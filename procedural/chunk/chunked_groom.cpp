@@ -1,7 +1,5 @@
 #include "procedural/chunk/chunked_groom.h"
 
-#include <algorithm>
-
 #include "guides/base/stopwatch.h"
 #include "procedural/expand/faces.h"
 
@@ -36,34 +34,19 @@ Vec3f place_of(const ChunkedGroom& groom, std::uint32_t child) {
 
 Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk, double density,
                    const StrandClasses& classes) {
-    const GroomSettings& own = groom.ready.groom;
+    const GroomSettings& settings = groom.ready.groom;
     const PlacedGuides& placed = groom.ready.placed;
     Binding out = bind_children(
-        own, placed,
-        pruned_roots(own, placed, groom.places, groom.chunks.of(chunk), density));
-    if (own.expand.has_faces())
-        out.faces = rest_faces(out, groom.ready.profiles, own.expand.blend);
+        settings, placed,
+        pruned_roots(settings, placed, groom.places, groom.chunks.of(chunk), density));
+    if (settings.expand.has_faces()) {
+        out.faces = rest_faces(out, groom.ready.profiles, settings.expand.blend);
+    }
     return in_class_order(std::move(out), classes);
 }
 
 Binding bind_chunk(const ChunkedGroom& groom, std::size_t chunk) {
     return bind_chunk(groom, chunk, groom.ready.groom.density, groom.ready.classes);
-}
-
-Curves expand_chunk(const ChunkedGroom& groom, std::size_t chunk) {
-    return expand(bind_chunk(groom, chunk), rest_guides(groom.ready),
-                  groom.ready.groom.expand);
-}
-
-ChunkBox reach_of_chunk(const ChunkedGroom& groom, std::size_t chunk) {
-    Eigen::AlignedBox3f roots;
-    for (const std::uint32_t i : groom.chunks.of(chunk)) {
-        roots.extend(place_of(groom, i));
-    }
-    const GroomSettings& own = groom.ready.groom;
-    const GuideProfiles<float>& profiles = groom.ready.profiles;
-    return reach_box(roots, std::ranges::max(profiles.lengths) * own.bind.length_scale,
-                     groom.ready.classes.counts.back(), own.expand, own.density);
 }
 
 }  // namespace lancret

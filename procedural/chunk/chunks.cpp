@@ -18,33 +18,34 @@ struct Item {
     std::uint32_t id;
 };
 
-/// Where the chunk `part` of `parts` begins, of `count` children.
-std::size_t cut(std::size_t count, std::size_t part, std::size_t parts) {
-    return count * part / parts;  // below 2^32 times 2^32
+/// Index of the first of `count` children that belongs to `chunk`.
+std::size_t first_of(std::size_t count, std::size_t chunk, std::size_t chunks) {
+    return count * chunk / chunks;  // no overflow: both factors are below 2^32
 }
 
-/// Orders items so that those of each of the chunks [from, to) stand together. What a
-/// chunk holds is decided by a total order, whatever nth_element does besides.
-void split(std::span<Item> items, std::size_t from, std::size_t to, std::size_t parts) {
-    const std::size_t first = cut(items.size(), from, parts),
-                      last = cut(items.size(), to, parts);
-    const std::span<Item> own = items.subspan(first, last - first);
+/// Sorts the items of the chunks [from, to) chunk by chunk. The contents of a chunk
+/// follow from a total order, so they do not depend on how nth_element arranges the rest.
+void split(std::span<Item> items, std::size_t from, std::size_t to, std::size_t chunks) {
+    const std::size_t first = first_of(items.size(), from, chunks),
+                      last = first_of(items.size(), to, chunks);
+    const std::span<Item> range = items.subspan(first, last - first);
     if (to - from == 1) {
-        std::ranges::sort(own, {}, &Item::id);
+        std::ranges::sort(range, {}, &Item::id);
         return;
     }
     Eigen::AlignedBox3f box;
-    for (const Item& item : own) box.extend(item.root);
+    for (const Item& item : range) box.extend(item.root);
     int axis = 0;
     box.sizes().maxCoeff(&axis);
     const std::size_t middle = from + (to - from) / 2;
     const auto nth =
-        own.begin() + std::ptrdiff_t(cut(items.size(), middle, parts) - first);
-    std::nth_element(own.begin(), nth, own.end(), [axis](const Item& a, const Item& b) {
-        return std::pair(a.root[axis], a.id) < std::pair(b.root[axis], b.id);
-    });
-    tbb::parallel_invoke([&] { split(items, from, middle, parts); },
-                         [&] { split(items, middle, to, parts); });
+        range.begin() + std::ptrdiff_t(first_of(items.size(), middle, chunks) - first);
+    std::nth_element(
+        range.begin(), nth, range.end(), [axis](const Item& a, const Item& b) {
+            return std::pair(a.root[axis], a.id) < std::pair(b.root[axis], b.id);
+        });
+    tbb::parallel_invoke([&] { split(items, from, middle, chunks); },
+                         [&] { split(items, middle, to, chunks); });
     stop_if_cancelled();
 }
 
@@ -53,26 +54,27 @@ void split(std::span<Item> items, std::size_t from, std::size_t to, std::size_t 
 Chunks make_chunks(std::size_t count, const std::function<Vec3f(std::uint32_t)>& root,
                    std::uint32_t most) {
     if (most == 0 || count > std::numeric_limits<std::uint32_t>::max()) {
-        throw std::invalid_argument("make_chunks: chunks of 1 or more, of up to 2^32");
+        throw std::invalid_argument(
+            "make_chunks: need at least 1 child per chunk and fewer than 2^32 children");
     }
     Chunks out;
     if (count == 0) return out;
-    const std::size_t parts = (count + most - 1) / most;
+    const std::size_t chunks = (count + most - 1) / most;
     std::vector<Item> items(count);
-    const auto all = [&](auto&& of_one) {
+    const auto each = [&](auto&& visit) {
         cancellable_for(tbb::blocked_range<std::size_t>(0, count, 4096),
                         [&](const auto& range) {
                             for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                                of_one(i);
+                                visit(i);
                             }
                         });
     };
-    all([&](std::size_t i) { items[i] = {root(std::uint32_t(i)), std::uint32_t(i)}; });
-    split(items, 0, parts, parts);
+    each([&](std::size_t i) { items[i] = {root(std::uint32_t(i)), std::uint32_t(i)}; });
+    split(items, 0, chunks, chunks);
     out.children.resize(count);
-    all([&](std::size_t i) { out.children[i] = items[i].id; });
-    for (std::size_t part = 0; part <= parts; ++part) {
-        out.first.push_back(std::uint32_t(cut(count, part, parts)));
+    each([&](std::size_t i) { out.children[i] = items[i].id; });
+    for (std::size_t chunk = 0; chunk <= chunks; ++chunk) {
+        out.first.push_back(std::uint32_t(first_of(count, chunk, chunks)));
     }
     return out;
 }

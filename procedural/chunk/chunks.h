@@ -1,5 +1,5 @@
 #pragma once
-// Children in chunks that lie together on the scalp.
+// Children grouped in chunks that are compact on the scalp.
 
 #include <cstdint>
 #include <functional>
@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kStrandsPerChunk = 4096;
 /// A permutation of the children, cut into chunks.
 struct Chunks {
     std::vector<std::uint32_t> children;  ///< ids, chunk after chunk, ascending in each
-    std::vector<std::uint32_t> first;     ///< [size + 1], into `children`
+    std::vector<std::uint32_t> first;     ///< [size + 1], offsets into `children`
 
     std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
     std::span<const std::uint32_t> of(std::size_t chunk) const {
@@ -26,9 +26,10 @@ struct Chunks {
     }
 };
 
-/// Cuts `count` children into ceil(count / most) chunks of nearly equal size, none larger
-/// than `most` >= 1: again and again across the longest side of the box of their roots.
-/// The same for any number of threads: children at one place are told apart by their ids.
+/// Cuts `count` children into ceil(count / most) chunks of nearly equal size, at most
+/// `most` >= 1 children each, by repeatedly halving across the longest side of the box of
+/// their roots. `root` returns the root of a child, cm. The same for any number of
+/// threads: children at the same place are ordered by id. Throws std::invalid_argument.
 Chunks make_chunks(std::size_t count, const std::function<Vec3f(std::uint32_t)>& root,
                    std::uint32_t most = kStrandsPerChunk);
 

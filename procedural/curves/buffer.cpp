@@ -13,14 +13,15 @@ void* untouched_memory(std::size_t bytes) {
     const bool large = bytes >= 2 * kHuge;
     const std::size_t alignment = large ? kHuge : kLine;
     const std::size_t size = (bytes + kLine - 1) / kLine * kLine;
-    // A length that is no multiple of the alignment is what posix_memalign takes.
+    // Unlike std::aligned_alloc, posix_memalign takes sizes that are no multiple of the
+    // alignment.
     void* memory = nullptr;
     if (size < bytes || posix_memalign(&memory, alignment, size) != 0) {
         throw std::bad_alloc();
     }
 #ifdef MADV_HUGEPAGE
-    // Whole pages alone: the rest would take more than it asked for. A refusal costs
-    // nothing but time.
+    // Whole pages only: a huge page for the rest would waste memory. A refusal only costs
+    // speed.
     if (large) (void)madvise(memory, size / kHuge * kHuge, MADV_HUGEPAGE);
 #endif
     return memory;

@@ -8,13 +8,13 @@
 
 namespace lancret {
 
-/// Memory that nothing has been written to, aligned to 64 bytes; a large block in huge
-/// pages where the system has them, since a first touch costs a fault a page. Throws
-/// std::bad_alloc. Give it back by std::free.
+/// Uninitialised memory, aligned to 64 bytes; release it with std::free. Large blocks use
+/// huge pages if the system has them, because the first touch of every page faults.
+/// Throws std::bad_alloc.
 void* untouched_memory(std::size_t bytes);
 
-/// An array that is allocated once and written by its maker: unlike std::vector it does
-/// not pass over its memory to zero it first.
+/// An array of fixed size. Unlike std::vector it leaves its elements uninitialised, so
+/// its memory is not written twice.
 template <class T>
 class Buffer {
     static_assert(std::is_trivial_v<T> && alignof(T) <= 64);
@@ -25,7 +25,7 @@ class Buffer {
         : data_(size > 0 ? static_cast<T*>(untouched_memory(size * sizeof(T))) : nullptr),
           size_(size) {}
 
-    /// Over somebody else's memory, aligned as T is, which is not given back.
+    /// A view of memory that the caller owns; `data` must be aligned for T.
     static Buffer over(T* data, std::size_t size) {
         Buffer out;
         out.data_ = {data, Free{false}};
@@ -44,9 +44,9 @@ class Buffer {
 
   private:
     struct Free {
-        bool own = true;
+        bool owned = true;
         void operator()(T* data) const {
-            if (own) std::free(data);
+            if (owned) std::free(data);
         }
     };
     std::unique_ptr<T[], Free> data_;

@@ -1,5 +1,5 @@
 #pragma once
-// From places on a strand to the control points that Embree draws.
+// Control points of the two bases that Embree draws, from the places of a strand.
 
 #include <algorithm>
 #include <span>
@@ -18,80 +18,48 @@ struct Taper {
     float largest() const { return root > tip ? root : tip; }
 };
 
-/// The radius at place i of `intervals`, which may lie beyond either end, cm, >= 0.
+/// The radius at place i of a strand of `intervals` intervals, cm, >= 0. Extrapolates
+/// beyond either end.
 inline float radius_of(const Taper& taper, std::ptrdiff_t i, std::size_t intervals) {
     return std::max(0.0f,
                     taper.root + (taper.tip - taper.root) * float(i) / float(intervals));
 }
 
-/// How many control points a strand of n intervals has.
-constexpr std::uint32_t control_points_of(CurveBasis basis, std::uint32_t intervals) {
-    switch (basis) {
-        case CurveBasis::bspline:
-        case CurveBasis::catmull_rom:
-            return intervals + 3;
-        case CurveBasis::bezier:
-            return 3 * intervals + 1;
-        default:
-            return intervals + 1;
-    }
-}
-
-/// Whether control points are made of Hermite's places and derivatives.
-constexpr bool is_of_hermite(CurveBasis basis) {
-    return basis != CurveBasis::bspline && basis != CurveBasis::hermite;
-}
-
-/// How a strand goes on beyond its ends, where control points are made of places there.
+/// How a strand is continued beyond its ends, for the B-spline's outer places.
 enum class Ends {
-    helix,     ///< that of its last interval
-    parabola,  ///< through its last three places; a line through two: where frames are
-               ///< carried along and say nothing of how the strand bends
+    helix,     ///< as the helix of its last interval
+    parabola,  ///< as the parabola through its last three places, or the line through
+               ///< two: for frames that are transported and do not follow the bend
 };
 
-/// Control points of the uniform cubic B-spline that follows a strand, by the five-tap
-/// quasi-interpolant (1, -10, 54, -10, 1) / 36 on its places, two beyond each end among
-/// them; the outermost points are then such that the curve begins and ends where the
-/// strand does. `states` are n + 1 >= 2 places at equal
-/// steps of arc length `ds`, from the root at `root`; `points` has n + 3.
+/// Control points of the uniform cubic B-spline along a strand: the five-tap
+/// quasi-interpolant (1, -10, 54, -10, 1) / 36 of its places and of two places beyond
+/// each end. The outermost control points are chosen so that the curve starts and ends
+/// where the strand does. `states` are n + 1 >= 2 places at equal steps of arc length
+/// `ds`, relative to `root`; `points` has n + 3.
 void bspline_points(std::span<const HelixState<float>> states, float ds,
                     const Vec3f& root, const Taper& taper, std::span<Point4f> points,
                     Ends ends = Ends::helix);
 
-/// The face that a strand bends over, and not over its edge: towards where the tip is,
-/// seen along the root; of a straight strand along n1. Unit: cosine and sine of its angle
-/// from n1 to n2. It flips where a strand swings through straight: to be asked of one
-/// pose.
+/// The side that a strand bends towards, as cosine and sine of its angle from n1 to n2 of
+/// the root frame: the direction of the tip across the root's tangent. (1, 0) for a
+/// straight strand. It flips when a strand swings through straight, so evaluate it in one
+/// pose only.
 Vec2f bent_face(std::span<const HelixState<float>> states);
 
-/// The direction of that curve where each of its points has the most weight: unit, w 0;
-/// the outermost have those of the ends.
+/// Directions of that B-spline, one per control point, where the control point has the
+/// largest weight: unit, w 0. The outermost ones repeat their neighbours.
 void bspline_directions(std::span<const Point4f> points, std::span<Point4f> directions);
 
-/// A strand's face along that B-spline: control points of its normal. It lies at the
-/// angle `face` (bent_face's) in the strand's own frame, and so turns with the strand.
-/// `normals` has n + 3.
+/// B-spline control points of a strand's face normal, [n + 3]. The normal lies at the
+/// angle `face` (see bent_face) in the strand's own frame and so turns with the strand.
 void ribbon_normals(std::span<const HelixState<float>> states, const Vec2f& face,
                     std::span<Point4f> normals);
 
-/// The same as cubic Hermite: the places and their tangents times `ds`; both spans have n
-/// + 1.
+/// The strand as cubic Hermite segments: places, and unit tangents times `ds`. Both spans
+/// have n + 1.
 void hermite_points(std::span<const HelixState<float>> states, float ds,
                     const Vec3f& root, const Taper& taper, std::span<Point4f> points,
                     std::span<Point4f> tangents);
-
-/// A Hermite strand of n + 1 `places` and `tangents` in a basis that is made of them. The
-/// Bezier curve is the same curve; Catmull-Rom's has its own tangents but for those at
-/// the ends, which are the strand's; `points` has control_points_of(basis, n).
-void points_of_hermite(CurveBasis basis, std::span<const Point4f> places,
-                       std::span<const Point4f> tangents, std::span<Point4f> points);
-
-/// The strand's direction at the same control points, or at those of Hermite: unit, w 0.
-void directions_of_hermite(CurveBasis basis, std::span<const Point4f> tangents,
-                           std::span<Point4f> directions);
-
-/// Normals for the control points of any basis, from ribbon_normals' n + 3: w 0.
-void normals_in_basis(CurveBasis basis, std::span<const Point4f> ribbon,
-                      std::span<Point4f> normals);
 
 }  // namespace lancret

@@ -5,14 +5,14 @@
 namespace lancret {
 
 float StrandValues::at(std::uint32_t strand, float along) const {
-    const std::span<const float> own = of(strand);
-    if (own.size() == 1) return own[0];
-    const std::size_t intervals = at_places ? own.size() - 1 : own.size();
+    const std::span<const float> samples = of(strand);
+    if (samples.size() == 1) return samples[0];
+    const std::size_t intervals = at_places ? samples.size() - 1 : samples.size();
     const float place = std::clamp(along, 0.0f, 1.0f) * float(intervals);
     const std::size_t j = std::min(std::size_t(place), intervals - 1);
-    if (!at_places) return own[j];
+    if (!at_places) return samples[j];
     const float share = place - float(j);
-    return (1 - share) * own[j] + share * own[j + 1];
+    return (1 - share) * samples[j] + share * samples[j + 1];
 }
 
 }  // namespace lancret

@@ -1,5 +1,5 @@
 #pragma once
-// A figure along strands, for pictures of it.
+// A value along strands, for rendering it as a colour.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,12 +8,14 @@
 
 namespace lancret {
 
-/// A figure along every strand. What is not a finite number counts as the largest float.
+/// A value along every strand. Values that are not finite are stored as the largest
+/// float.
 struct StrandValues {
-    bool at_places = false;            ///< at the ends of equal intervals, else in them
-    std::vector<float> values;         ///< strand after strand, root first
-    std::vector<std::size_t> first{};  ///< [strands + 1], into `values`; or empty: one
-                                       ///< value a strand, of it as a whole
+    bool at_places = false;     ///< one per place (end of an interval), else one per
+                                ///< interval
+    std::vector<float> values;  ///< strand after strand, root first
+    std::vector<std::size_t> first{};  ///< [strands + 1], offsets into `values`; empty:
+                                       ///< one value per strand
 
     std::size_t strands() const {
         return first.empty() ? values.size() : first.size() - 1;
@@ -23,8 +25,8 @@ struct StrandValues {
         return std::span(values).subspan(first[strand],
                                          first[strand + 1] - first[strand]);
     }
-    /// At `along`, 0 at the root to 1 at the tip: linear between places, even within an
-    /// interval.
+    /// The value at `along`, from 0 at the root to 1 at the tip: linear between places,
+    /// constant in an interval.
     float at(std::uint32_t strand, float along) const;
 };
 

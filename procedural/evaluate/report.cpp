@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "procedural/bind/report.h"
-#include "procedural/check/figures.h"
+#include "procedural/check/json_numbers.h"
 #include "procedural/expand/expand.h"
 
 namespace lancret {

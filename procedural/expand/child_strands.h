@@ -5,9 +5,8 @@
 
 namespace lancret {
 
-/// The children as points on the strands themselves (not control points), with their
-/// diameters: what other programs read. They stand in the order of their ids, each with
-/// one point more than its class has intervals.
+/// The children as points on the strands (not control points) and diameters, for export.
+/// Ordered by id; a strand has one point more than its class has intervals.
 Strands child_strands(const Binding& binding, const ClassedGuides& guides,
                       const ExpandSettings& settings);
 

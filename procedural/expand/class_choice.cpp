@@ -6,23 +6,21 @@
 #include <numeric>
 
 #include "guides/base/cancel.h"
+#include "guides/base/worst.h"
+#include "procedural/curves/emitted_curve.h"
 #include "procedural/expand/intervals.h"
 
 namespace lancret {
 
 namespace {
 
-/// Of the tolerance, for the sample: the other children hold a few that are worse.
-constexpr double kSampleShare = 0.6;
-/// Half of what the check lets an emitted curve's length be off by.
+/// Half of what the check tolerates for the length of an emitted curve, relative.
 constexpr float kMaxLengthChange = 0.005f;
-/// Radians that an interval may turn, as in intervals_within.
-constexpr float kMaxTurn = 2;
 constexpr int kMaxMultiples = 16;
-/// A guide of this weight leads other children much like the one that is measured.
+/// A guide of this weight is nearly the heaviest: other children near it have it as such.
 constexpr float kNearlyLeads = 0.25f;
 
-/// Finest first.
+/// The counts of coarsest_classes, finest first.
 std::vector<int> class_counts(int finest, int segments) {
     std::vector<int> out{finest};
     const int multiples = (finest - 1) / segments;
@@ -36,20 +34,22 @@ std::vector<int> class_counts(int finest, int segments) {
     return out;
 }
 
-/// A child at the finest count: places and unit tangents at the ends of its intervals and
-/// in their middles, from the root, and the length of the chords between them.
+/// A child at the finest count, relative to its root.
 struct FineChild {
+    std::size_t child = 0;
     float length = 0;  ///< cm
     std::vector<HelixState<float>> states;
-    std::vector<Vec3f> places, tangents;  ///< [2 n + 1]
-    float chords = 0;                     ///< cm
+    std::vector<Vec3f> places, tangents;  ///< [2 n + 1] at the ends and in the middles of
+                                          ///< intervals; unit tangents
+    float chords = 0;                     ///< cm, the length of the polyline of `places`
 };
 
-/// Middles are those of the cubics with the ends' places and tangents: of an arc of 2
-/// radians of radius r they are 0.04 r off, of one of 1 radian 0.003 r.
+/// Middles are those of the cubics through the ends with their tangents: 0.04 r off for
+/// an arc of 2 radians of radius r, 0.003 r for one of 1 radian.
 void grow_fine(const Binding& binding, const GuideProfiles<float>& profiles, Blend blend,
                std::size_t child, FineChild& out) {
     const std::size_t n = std::size_t(profiles.count);
+    out.child = child;
     out.length = binding.lengths[child];
     out.states.resize(n + 1);
     out.places.resize(2 * n + 1);
@@ -70,60 +70,40 @@ void grow_fine(const Binding& binding, const GuideProfiles<float>& profiles, Ble
     }
 }
 
-/// Room for a child at a class.
+/// Memory for a child at a coarser class.
 struct CoarseChild {
     std::vector<HelixState<float>> states;
-    std::vector<Point4f> points, tangents;
-    std::vector<Point4f> places;  ///< of a Hermite curve that `points` are made of
-
-    /// `states` as the control points of a curve.
-    void emit(float ds, const ExpandSettings& settings) {
-        const std::size_t n = states.size() - 1;
-        points.resize(control_points_of(settings.basis, std::uint32_t(n)));
-        tangents.resize(n + 1);
-        if (settings.basis == CurveBasis::bspline) {
-            bspline_points(states, ds, Vec3f::Zero(), {}, points,
-                           traits_of(settings.blend).ends);
-        } else if (settings.basis == CurveBasis::hermite) {
-            hermite_points(states, ds, Vec3f::Zero(), {}, points, tangents);
-        } else {
-            places.resize(n + 1);
-            hermite_points(states, ds, Vec3f::Zero(), {}, places, tangents);
-            points_of_hermite(settings.basis, places, tangents, points);
-        }
-    }
+    StrandBuffer curve;
 };
 
-/// What a class makes of a child.
+/// How a child at a coarser class differs from the child at the finest.
 struct Change {
     float distance = 0;  ///< cm
     float length = 0;    ///< of the emitted curve, relative to that of the finest
 };
 
-/// Gives up where the distance passes `limit`.
+/// Stops, with `length` unset, once the distance exceeds `limit`.
 Change change_of(const FineChild& fine, const Binding& binding,
-                 const GuideProfiles<float>& profiles, std::size_t child,
-                 const ExpandSettings& settings, float limit, CoarseChild& room) {
+                 const GuideProfiles<float>& profiles, const ExpandSettings& settings,
+                 float limit, CoarseChild& coarse) {
     const std::size_t n = std::size_t(profiles.count), samples = fine.places.size() - 1;
     const float ds = fine.length / float(n);
-    room.states.resize(n + 1);
-    synthesize_child<float>(binding, profiles, settings.blend, child, room.states);
-    room.emit(ds, settings);
+    coarse.states.resize(n + 1);
+    synthesize_child<float>(binding, profiles, settings.blend, fine.child, coarse.states);
+    emit({.states = coarse.states, .ds = ds, .ends = traits_of(settings.blend).ends},
+         settings.basis, coarse.curve);
     Change out;
     float chords = 0;
     Vec3f before = Vec3f::Zero();
     for (std::size_t j = 0; j <= samples; ++j) {
         const double along = double(j) / double(samples) * double(n);
         const std::size_t segment = std::min(std::size_t(along), n - 1);
-        const Vec3f place = emitted_place(settings.basis, room.points, room.tangents,
-                                          segment, float(along - double(segment)));
+        const Vec3f place =
+            emitted_place(settings.basis, coarse.curve.points, coarse.curve.tangents,
+                          segment, float(along - double(segment)));
         const Vec3f off = place - fine.places[j], &tangent = fine.tangents[j];
-        const float distance = (off - tangent * tangent.dot(off)).norm();
-        if (!(distance <= out.distance)) {  // so that a NaN is seen
-            out.distance =
-                std::isnan(distance) ? std::numeric_limits<float>::infinity() : distance;
-            if (out.distance > limit) return out;
-        }
+        out.distance = worst_of(out.distance, (off - tangent * tangent.dot(off)).norm());
+        if (out.distance > limit) return out;
         if (j > 0) chords += (place - before).norm();
         before = place;
     }
@@ -131,13 +111,12 @@ Change change_of(const FineChild& fine, const Binding& binding,
     return out;
 }
 
-/// All that choosing reads: profiles and the largest curvature of each guide at each
-/// class.
-struct Measures {
+/// The guides at each class.
+struct ClassMeasures {
     std::vector<GuideProfiles<float>> profiles;  ///< [classes]
-    std::vector<float> most_curved;              ///< [classes][guides] 1/cm
+    std::vector<float> max_curvature;            ///< [classes][guides] 1/cm
 
-    Measures(const Guides& guides, const std::vector<int>& counts) {
+    ClassMeasures(const Guides& guides, const std::vector<int>& counts) {
         for (const int count : counts) {
             profiles.push_back(guide_profiles<float>(guides, count));
             const auto& curvatures = profiles.back().curvatures;
@@ -146,53 +125,54 @@ struct Measures {
                 for (std::size_t i = 0; i < std::size_t(count); ++i) {
                     most = std::max(most, curvatures[g * std::size_t(count) + i].norm());
                 }
-                most_curved.push_back(most);
+                max_curvature.push_back(most);
             }
         }
     }
-    /// Radians that an interval of a child may turn at a class.
+    /// Upper limit of the turn of an interval of a child at a class, radians.
     float turn(const Binding& binding, std::size_t child, std::size_t c) const {
         const auto n = std::size_t(binding.neighbours);
         float most = 0;
         for (std::size_t k = child * n; k < (child + 1) * n; ++k) {
             if (!(binding.weights[k] > 0)) continue;
             most =
-                std::max(most, most_curved[c * profiles[c].size() + binding.guides[k]]);
+                std::max(most, max_curvature[c * profiles[c].size() + binding.guides[k]]);
         }
         return most * binding.lengths[child] / float(profiles[c].count);
     }
 };
 
-/// A coarse class, `at` or finer, at which these children keep what they must.
+/// The coarsest class from `coarsest` on at which all these children keep the limits, to
+/// the accuracy of a bisection per child.
 std::size_t class_of(const Binding& binding, std::span<const std::uint32_t> children,
-                     const Measures& measures, std::size_t at, float limit,
+                     const ClassMeasures& measures, std::size_t coarsest, float limit,
                      const ExpandSettings& settings) {
     FineChild fine;
-    CoarseChild room;
+    CoarseChild coarse;
     for (const std::uint32_t child : children) {
-        if (at == 0) break;
+        if (coarsest == 0) break;
         grow_fine(binding, measures.profiles[0], settings.blend, child, fine);
         const auto keeps = [&](std::size_t c) {
             if (!(measures.turn(binding, child, c) <= kMaxTurn)) return false;
-            const Change change = change_of(fine, binding, measures.profiles[c], child,
-                                            settings, limit, room);
+            const Change change =
+                change_of(fine, binding, measures.profiles[c], settings, limit, coarse);
             return change.distance <= limit &&
                    std::abs(change.length) <= kMaxLengthChange;
         };
-        if (keeps(at)) continue;
-        // The last that was seen to keep it, and the first that was not.
-        std::size_t kept = 0, beyond = at;
+        if (keeps(coarsest)) continue;
+        // The coarsest class that is known to keep them, and the finest that does not.
+        std::size_t kept = 0, beyond = coarsest;
         while (beyond - kept > 1) {
             const std::size_t c = kept + (beyond - kept) / 2;
             (keeps(c) ? kept : beyond) = c;
         }
-        at = kept;
+        coarsest = kept;
     }
-    return at;
+    return coarsest;
 }
 
-/// A child for each guide that is the guide itself, where it stands.
-Binding images(const Binding& sample, const Guides& guides) {
+/// One child per guide, a copy of the guide at its root.
+Binding copies_of_guides(const Binding& sample, const Guides& guides) {
     Binding out;
     out.neighbours = 1;
     out.guide_normals = out.roots.normals = sample.guide_normals;
@@ -216,25 +196,26 @@ StrandClasses coarsest_classes(const Guides& guides, int finest) {
 
 void refine_classes(StrandClasses& classes, const Binding& sample, const Guides& guides,
                     double tolerance, const ExpandSettings& settings) {
-    const Measures measures(guides, classes.counts);
-    const Binding alone = images(sample, guides);
+    const ClassMeasures measures(guides, classes.counts);
+    const Binding copies = copies_of_guides(sample, guides);
     std::vector<std::vector<std::uint32_t>> followers(guides.size());
     const auto k = std::size_t(sample.neighbours);
     for (std::uint32_t i = 0; i < sample.size(); ++i) {
         const std::uint32_t leads = heaviest_guide(sample, i);
         for (std::size_t j = i * k; j < (i + 1) * k; ++j) {
             const std::uint32_t g = sample.guides[j];
-            if (g == leads || sample.weights[j] >= kNearlyLeads)
+            if (g == leads || sample.weights[j] >= kNearlyLeads) {
                 followers[g].push_back(i);
+            }
         }
     }
     const float limit = float(kSampleShare * tolerance);
     cancellable_for(std::uint32_t(0), std::uint32_t(guides.size()), [&](auto g) {
-        const Binding& from = followers[g].empty() ? alone : sample;
-        const std::vector<std::uint32_t> own =
+        const Binding& from = followers[g].empty() ? copies : sample;
+        const std::vector<std::uint32_t> children =
             followers[g].empty() ? std::vector<std::uint32_t>{g} : followers[g];
         classes.of_guide[g] = std::uint8_t(
-            class_of(from, own, measures, classes.of_guide[g], limit, settings));
+            class_of(from, children, measures, classes.of_guide[g], limit, settings));
     });
 }
 
@@ -256,11 +237,11 @@ StrandClasses used_classes(const StrandClasses& classes) {
 double adapted_distance(const Binding& binding, const GuideProfiles<float>& fine,
                         const GuideProfiles<float>& coarse, std::size_t child,
                         const ExpandSettings& settings) {
-    FineChild grown;
-    CoarseChild room;
-    grow_fine(binding, fine, settings.blend, child, grown);
-    return change_of(grown, binding, coarse, child, settings,
-                     std::numeric_limits<float>::infinity(), room)
+    FineChild fine_child;
+    CoarseChild coarse_child;
+    grow_fine(binding, fine, settings.blend, child, fine_child);
+    return change_of(fine_child, binding, coarse, settings,
+                     std::numeric_limits<float>::infinity(), coarse_child)
         .distance;
 }
 

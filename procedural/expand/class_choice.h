@@ -1,45 +1,46 @@
 #pragma once
-// Which class of interval counts the children of each guide need: measured on a sample of
-// them by the scalar blends, so that it is the same in every chunk, at every density and
-// on every machine.
+// Chooses the interval counts for the children of each guide. They are measured on a
+// sample of the children with the scalar blends, so they are the same in every chunk, at
+// every density and on every machine.
 
 #include "procedural/expand/expand.h"
 
 namespace lancret {
 
-/// Every count that strands may have, at most kMaxClasses: `finest`, multiples of the
-/// guides' segments, on which profiles are exact, then halves of these down to 1. Every
-/// guide has the coarsest, to be refined.
+/// All counts that strands may have, at most kMaxClasses: `finest`, then multiples of the
+/// guides' segments, on which profiles are exact, then halves down to 1. Every guide
+/// starts with the coarsest class.
 StrandClasses coarsest_classes(const Guides& guides, int finest);
 
-/// Makes the classes of guides finer where they must be for the children of `sample` that
-/// each leads, at the time of `guides`: that at their class emitted curves stay, across
-/// the strand, within 0.6 `tolerance` cm of the child at the finest, that their length
-/// changes by at most 0.005 of itself, and that no interval turns by more than 2 radians.
-/// The finest is always taken to do. So that children beyond the sample keep the
-/// tolerance too, the others in which a guide has a weight of 0.25 count as led by it. A
-/// guide without any is measured on a child that is its image.
+/// Makes the classes of guides finer as needed at the time of `guides`, for the children
+/// of `sample` that each guide leads: at its class the emitted curve of a child stays
+/// within kSampleShare `tolerance` cm of the child at the finest class (measured across
+/// the strand), its length changes by at most 0.005 of itself, and no interval turns by
+/// more than kMaxTurn. The finest class is assumed to be sufficient. A guide with a
+/// weight of at least 0.25 in a child counts as leading it too, so that children outside
+/// the sample also keep the tolerance. A guide that leads no child of the sample is
+/// measured on a child that is its copy.
 void refine_classes(StrandClasses& classes, const Binding& sample, const Guides& guides,
                     double tolerance, const ExpandSettings& settings);
 
-/// Without the classes that no guide has.
+/// The same classes without those that no guide has.
 StrandClasses used_classes(const StrandClasses& classes);
 
-/// How far the emitted curve of a child at the intervals of `coarse` lies from the child
-/// at those of `fine`, cm: the farthest, as seen at the places of the finest and halfway
-/// between them, across the strand. Infinite where something is not finite.
+/// The largest distance between the emitted curve of a child at the intervals of `coarse`
+/// and the child at those of `fine`, cm: measured across the strand, at the places of the
+/// finest and halfway between them. Infinite if anything is not finite.
 double adapted_distance(const Binding& binding, const GuideProfiles<float>& fine,
                         const GuideProfiles<float>& coarse, std::size_t child,
                         const ExpandSettings& settings);
 
-/// What is seen of the classes of all children.
+/// What adapting the number of points costs in accuracy.
 struct AdaptedReport {
-    double farthest = 0;     ///< cm, the largest adapted_distance; 0 at the finest
-    std::size_t beyond = 0;  ///< children that go beyond the tolerance
+    double farthest = 0;     ///< cm, the largest adapted_distance; 0 at the finest class
+    std::size_t beyond = 0;  ///< number of children beyond the tolerance
 };
 
-/// Looks at all children of `binding`, at the time of `guides`; `fine` are the profiles
-/// of that time on the finest count that a strand could have.
+/// Measures all children of `binding` at the time of `guides`. `fine` are the profiles of
+/// that time at the finest count that a strand could have.
 AdaptedReport adapted_report(const Binding& binding, const ClassedGuides& guides,
                              const GuideProfiles<float>& fine, double tolerance,
                              const ExpandSettings& settings);

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "guides/base/cancel.h"
+#include "procedural/curves/emitted_curve.h"
 #include "procedural/expand/faces.h"
 #include "procedural/kernels/strand_kernels.h"
 
@@ -14,30 +15,31 @@ namespace lancret {
 
 namespace {
 
-/// Output of this size does not stay in a cache until somebody reads it: measured.
+/// Output of this size, bytes, does not stay in the caches until it is read (measured).
 constexpr std::size_t kPastCaches = std::size_t(8) << 20;
 
-/// Children [first, last), alike, and what they read.
-struct Part {
+/// The children [first, last) of one class, with their guides.
+struct ClassRange {
     std::size_t first, last;
     const GuideProfiles<float>* profiles;
     const KernelGuides* guides;
 };
 
-/// An empty frame for the strands of `binding`, in the buffers of `out` where they fit.
-void make_room(const Binding& binding, std::span<const Part> parts,
+/// Lays out `out` for the strands of `binding`. Keeps buffers of the right size.
+void make_room(const Binding& binding, std::span<const ClassRange> ranges,
                const ExpandSettings& settings, Curves& out) {
-    const bool hermite = settings.basis == CurveBasis::hermite;
+    const BasisLayout& layout = layout_of(settings.basis);
     const bool faces = settings.has_faces();
-    if (faces && binding.faces.size() != binding.size())
-        throw std::invalid_argument("expand: faces need those that rest_faces chooses");
+    if (faces && binding.faces.size() != binding.size()) {
+        throw std::invalid_argument("expand: the binding has no faces; see rest_faces");
+    }
     out.basis = settings.basis;
     out.shape = settings.shape.value_or(CurveShape::flat);
     out.strands = 0;
     out.classes.clear();
-    for (const Part& part : parts) {
-        out.add_class(std::uint32_t(part.last - part.first),
-                      std::uint32_t(part.profiles->count));
+    for (const ClassRange& range : ranges) {
+        out.add_class(std::uint32_t(range.last - range.first),
+                      std::uint32_t(range.profiles->count));
     }
     out.ids = binding.roots.ids;
     const auto fit = [](auto& buffer, std::size_t size) {
@@ -45,42 +47,43 @@ void make_room(const Binding& binding, std::span<const Part> parts,
     };
     const std::size_t points = out.point_count();
     fit(out.points, points);
-    fit(out.tangents, hermite || settings.directions ? points : 0);
+    fit(out.tangents, layout.has_tangents || settings.directions ? points : 0);
     fit(out.normals, faces ? points : 0);
-    const bool numbered = settings.segments && !is_of_hermite(settings.basis);
+    const bool numbered = settings.segments && !is_derived(settings.basis);
     fit(out.segments, numbered ? out.segment_count() : 0);
 }
 
-/// Where the control points of strands from `first` on go.
+/// Where the control points of the strands from `first` on are written.
 struct Rows {
-    std::size_t first, in_strand;
-    Point4f *points, *tangents;
+    std::size_t first, in_strand;  ///< in_strand: control points per strand
+    Point4f *points, *tangents;    ///< tangents: null if the basis has none
 
     std::span<Point4f> of(Point4f* rows, std::size_t i) const {
+        if (!rows) return {};
         return {rows + (i - first) * in_strand, in_strand};
     }
 };
 
-/// Expands the strands of `part`, to where `own` says that they go among all.
-class PartExpansion {
+/// Expands the strands of `range` into class `target` of `out`.
+class ClassExpansion {
   public:
-    PartExpansion(const Binding& binding, const Part& part,
-                  const ExpandSettings& settings, const CurveClass& own, Curves& out)
+    ClassExpansion(const Binding& binding, const ClassRange& range,
+                   const ExpandSettings& settings, const CurveClass& target, Curves& out)
         : binding_(binding),
-          part_(part),
+          range_(range),
           settings_(settings),
-          own_(own),
+          target_(target),
           out_(out),
-          basis_(is_of_hermite(settings.basis) ? CurveBasis::hermite : settings.basis),
-          kernel_(part.guides->size > 0 && has_kernel(settings.blend, basis_)),
+          source_(layout_of(settings.basis).source),
+          kernel_(range.guides->size > 0 && has_kernel(settings.blend, source_)),
           past_caches_(out.bytes() >= kPastCaches) {}
 
     void run() {
         using Range = tbb::blocked_range<std::size_t>;
         cancellable_for(
-            Range(part_.first, part_.last, settings_.chunk),
+            Range(range_.first, range_.last, settings_.grain),
             [&](const Range& range) {
-                if (basis_ == settings_.basis) {
+                if (source_ == settings_.basis) {
                     expand(range.begin(), range.end());
                 } else {
                     derive(range.begin(), range.end());
@@ -91,36 +94,35 @@ class PartExpansion {
 
   private:
     std::span<Point4f> strand(Buffer<Point4f>& rows, std::size_t i) const {
-        return rows.span().subspan(own_.point + (i - own_.strand) * own_.points,
-                                   own_.points);
+        return rows.span().subspan(target_.point + (i - target_.strand) * target_.points,
+                                   target_.points);
     }
 
-    /// Strands from rows.first to `last` as B-splines or Hermite curves; and their
-    /// normals in any basis.
+    /// Writes the strands from rows.first to `last` in the source basis, and their
+    /// normals in the requested one.
     void fill(const Rows& rows, std::size_t last, bool past_caches) {
         if (kernel_) {
-            const KernelInput in{binding_,        *part_.profiles, *part_.guides,
-                                 settings_.blend, basis_,          settings_.taper};
+            const KernelInput in{binding_,        *range_.profiles, *range_.guides,
+                                 settings_.blend, source_,          settings_.taper};
             expand_strands(in, {rows.first, last - rows.first, rows.points, rows.tangents,
                                 past_caches});
         }
         if (!kernel_ || settings_.has_faces()) fill_from_states(rows, last);
     }
 
-    /// From synthesised places: control points where no kernel makes those, and faces.
+    /// Writes what is made from synthesised places: control points if there is no kernel,
+    /// and faces.
     void fill_from_states(const Rows& rows, std::size_t last) {
-        const GuideProfiles<float>& profiles = *part_.profiles;
+        const GuideProfiles<float>& profiles = *range_.profiles;
         std::vector<Point4f> ribbon(std::size_t(profiles.count) + 3);
-        const auto put = [&](std::size_t i, std::span<const HelixState<float>> states) {
-            const float ds = binding_.lengths[i] / float(profiles.count);
-            const Vec3f& root = binding_.roots.positions[i];
-            const Taper taper = settings_.taper.times(binding_.roots.width(i));
-            if (!kernel_ && basis_ == CurveBasis::bspline) {
-                bspline_points(states, ds, root, taper, rows.of(rows.points, i),
-                               traits_of(settings_.blend).ends);
-            } else if (!kernel_) {
-                hermite_points(states, ds, root, taper, rows.of(rows.points, i),
-                               rows.of(rows.tangents, i));
+        const auto write = [&](std::size_t i, std::span<const HelixState<float>> states) {
+            if (!kernel_) {
+                emit({.states = states,
+                      .ds = binding_.lengths[i] / float(profiles.count),
+                      .root = binding_.roots.positions[i],
+                      .taper = settings_.taper.times(binding_.roots.width(i)),
+                      .ends = traits_of(settings_.blend).ends},
+                     source_, rows.of(rows.points, i), rows.of(rows.tangents, i));
             }
             if (settings_.has_faces()) {
                 const Vec2f face =
@@ -129,62 +131,65 @@ class PartExpansion {
                 normals_in_basis(settings_.basis, ribbon, strand(out_.normals, i));
             }
         };
-        each_strand({binding_, profiles, *part_.guides, settings_.blend}, rows.first,
-                    last, put);
+        each_strand({binding_, profiles, *range_.guides, settings_.blend}, rows.first,
+                    last, write);
     }
 
     void expand(std::size_t first, std::size_t last) {
-        const std::size_t before = first - own_.strand,
-                          at = own_.point + before * own_.points;
-        Point4f* const tangents =
-            basis_ == CurveBasis::hermite ? out_.tangents.data() + at : nullptr;
-        fill({first, own_.points, out_.points.data() + at, tangents}, last, past_caches_);
+        const bool has_tangents = layout_of(source_).has_tangents;
+        const std::size_t before = first - target_.strand,
+                          point = target_.point + before * target_.points;
+        Point4f* const tangents = has_tangents ? out_.tangents.data() + point : nullptr;
+        fill({first, target_.points, out_.points.data() + point, tangents}, last,
+             past_caches_);
         if (settings_.segments) {
-            number_segments(at, last - first, own_.points, own_.segments,
-                            out_.segments.data() + own_.segment + before * own_.segments,
-                            past_caches_);
+            number_segments(
+                point, last - first, target_.points, target_.segments,
+                out_.segments.data() + target_.segment + before * target_.segments,
+                past_caches_);
         }
-        if (basis_ == CurveBasis::hermite || out_.tangents.size() == 0) return;
+        if (has_tangents || out_.tangents.size() == 0) return;
         for (std::size_t i = first; i < last; ++i) {
             bspline_directions(strand(out_.points, i), strand(out_.tangents, i));
         }
     }
 
-    /// What is made of Hermite's points: a few at a time, so that those stay in the
-    /// cache.
+    /// Writes the strands of a derived basis, a few at a time so that the Hermite curves
+    /// stay in the caches.
     void derive(std::size_t first, std::size_t last) {
         constexpr std::size_t kTogether = 32;
-        const std::size_t places = std::size_t(part_.profiles->count) + 1;
+        const std::size_t places = std::size_t(range_.profiles->count) + 1;
         std::vector<Point4f> points(kTogether * places), tangents(points.size());
         for (std::size_t i = first; i < last; i += kTogether) {
             const Rows rows{i, places, points.data(), tangents.data()};
             const std::size_t end = std::min(i + kTogether, last);
             fill(rows, end, false);
             for (std::size_t s = i; s < end; ++s) {
-                const auto along = rows.of(rows.tangents, s);
-                points_of_hermite(settings_.basis, rows.of(rows.points, s), along,
+                const auto row_tangents = rows.of(rows.tangents, s);
+                points_of_hermite(settings_.basis, rows.of(rows.points, s), row_tangents,
                                   strand(out_.points, s));
                 if (out_.tangents.size() == 0) continue;
-                directions_of_hermite(settings_.basis, along, strand(out_.tangents, s));
+                directions_of_hermite(settings_.basis, row_tangents,
+                                      strand(out_.tangents, s));
             }
         }
     }
 
     const Binding& binding_;
-    const Part& part_;
+    const ClassRange& range_;
     const ExpandSettings& settings_;
-    const CurveClass& own_;
+    const CurveClass& target_;
     Curves& out_;
-    CurveBasis basis_;  ///< that is made first
+    CurveBasis source_;  ///< the basis that is emitted first
     bool kernel_, past_caches_;
 };
 
-/// `parts` are not empty.
-void expand_parts(const Binding& binding, std::span<const Part> parts,
-                  const ExpandSettings& settings, Curves& out) {
-    make_room(binding, parts, settings, out);
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-        PartExpansion(binding, parts[p], settings, out.classes[p], out).run();
+/// Each range has at least one child.
+void expand_ranges(const Binding& binding, std::span<const ClassRange> ranges,
+                   const ExpandSettings& settings, Curves& out) {
+    make_room(binding, ranges, settings, out);
+    for (std::size_t r = 0; r < ranges.size(); ++r) {
+        ClassExpansion(binding, ranges[r], settings, out.classes[r], out).run();
     }
 }
 
@@ -192,12 +197,12 @@ void expand_parts(const Binding& binding, std::span<const Part> parts,
 
 void expand(const Binding& binding, const ClassedGuides& guides,
             const ExpandSettings& settings, Curves& out) {
-    std::vector<Part> parts;
-    each_class(guides.classes, binding,
-               [&](std::size_t c, std::size_t first, std::size_t last) {
-                   parts.push_back({first, last, &guides.profiles[c], &guides.kernel(c)});
-               });
-    expand_parts(binding, parts, settings, out);
+    std::vector<ClassRange> ranges;
+    each_class(
+        guides.classes, binding, [&](std::size_t c, std::size_t first, std::size_t last) {
+            ranges.push_back({first, last, &guides.profiles[c], &guides.kernel(c)});
+        });
+    expand_ranges(binding, ranges, settings, out);
 }
 
 Curves expand(const Binding& binding, const ClassedGuides& guides,
@@ -209,9 +214,9 @@ Curves expand(const Binding& binding, const ClassedGuides& guides,
 
 void expand(const Binding& binding, const GuideProfiles<float>& profiles,
             const KernelGuides& guides, const ExpandSettings& settings, Curves& out) {
-    std::vector<Part> parts;
-    if (binding.size() > 0) parts.push_back({0, binding.size(), &profiles, &guides});
-    expand_parts(binding, parts, settings, out);
+    std::vector<ClassRange> ranges;
+    if (binding.size() > 0) ranges.push_back({0, binding.size(), &profiles, &guides});
+    expand_ranges(binding, ranges, settings, out);
 }
 
 Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,

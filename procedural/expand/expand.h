@@ -1,6 +1,6 @@
 #pragma once
-// Expansion: child i = f(guides, binding, i), the same bits for any chunk size, thread
-// count or order.
+// Expansion: child i = f(guides, binding, i), the same bits for any grain, number of
+// threads or order.
 
 #include <optional>
 #include <span>
@@ -16,31 +16,32 @@ namespace lancret {
 struct ExpandSettings {
     Blend blend = Blend::detail;
     CurveBasis basis = CurveBasis::bspline;
-    std::optional<CurveShape> shape{};  ///< none: flat, for who draws them to change
-    bool faces = false;    ///< whether to give the normals of strands that are no ribbons
-    bool segments = true;  ///< whether to number the segments of who traces rays
-    bool directions = false;  ///< whether to give the tangents of bases without them
+    std::optional<CurveShape> shape{};  ///< unset: flat, and a renderer may choose
+                                        ///< otherwise
+    bool faces = false;    ///< fill `Curves::normals` also for shapes other than ribbons
+    bool segments = true;  ///< fill `Curves::segments`, which ray tracers need
+    bool directions = false;  ///< fill `Curves::tangents` of bases without derivatives
     Taper taper{};
-    std::uint32_t chunk = 256;  ///< strands that one task expands at a time, >= 1
+    std::uint32_t grain = 256;  ///< strands per task, >= 1
 
     bool has_faces() const { return faces || shape == CurveShape::ribbon; }
 };
 
-/// All children as control points, each at the intervals of its class, into `out`, whose
-/// memory is used again where its sizes fit: the next frame, the next chunk. Throws
-/// std::invalid_argument where children do not stand in the order of their classes, and
-/// where faces are asked for and the binding has none.
+/// Expands all children to control points, each at the intervals of its class. Reuses the
+/// memory of `out` if its sizes fit, as they do from frame to frame. Throws
+/// std::invalid_argument if the children are not in_class_order, or if faces are
+/// requested and the binding has none.
 void expand(const Binding& binding, const ClassedGuides& guides,
             const ExpandSettings& settings, Curves& out);
 Curves expand(const Binding& binding, const ClassedGuides& guides,
               const ExpandSettings& settings);
 
-/// The same, all strands alike: the guides' profiles say at how many intervals.
+/// The same in one class, at the intervals of `profiles`.
 Curves expand(const Binding& binding, const GuideProfiles<float>& profiles,
               const ExpandSettings& settings);
 
-/// `guides` are kernel_guides of the same profiles and blend, made once a pose; without
-/// any the scalar blends serve, to compare with.
+/// The same with `guides`, the kernel_guides of the same profiles and blend, made once
+/// per pose. If they are empty, the scalar blends are used.
 void expand(const Binding& binding, const GuideProfiles<float>& profiles,
             const KernelGuides& guides, const ExpandSettings& settings, Curves& out);
 

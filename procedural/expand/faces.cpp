@@ -11,12 +11,12 @@ namespace lancret {
 
 namespace {
 
-/// Whether n1 at the root is where the bend points, and not carried from the guides.
+/// Whether n1 at the root follows the bend instead of being transported from the guides.
 bool frame_follows_bend(Blend blend) {
     return traits_of(blend).rates == BlendRates::blended;
 }
 
-/// n1 of child i's heaviest guide, swung onto the child's tangent, as an angle in
+/// n1 of child i's heaviest guide, rotated onto the child's tangent, as an angle in
 /// `frame`.
 Vec2f carried_normal(const Binding& binding, const GuideProfiles<float>& profiles,
                      std::size_t i, const Mat3f& frame) {
@@ -41,9 +41,9 @@ std::vector<Vec2f> rest_faces(const Binding& binding, const GuideProfiles<float>
                               Blend blend) {
     std::vector<Vec2f> out(binding.size());
     cancellable_for(
-        tbb::blocked_range<std::size_t>(0, out.size(), 256), [&](const auto& chunk) {
+        tbb::blocked_range<std::size_t>(0, out.size(), 256), [&](const auto& range) {
             std::vector<HelixState<float>> states(rest.count + 1);
-            for (std::size_t i = chunk.begin(); i < chunk.end(); ++i) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 synthesize_child<float>(binding, rest, blend, i, states);
                 out[i] = bent_face(states);
                 if (!frame_follows_bend(blend)) continue;

@@ -26,12 +26,13 @@ std::vector<std::uint32_t> class_sizes(const StrandClasses& classes,
     }
     std::size_t before = 0;
     for (std::size_t i = 0; i < binding.size(); ++i) {
-        const std::size_t own = classes.of(binding, i);
-        if (own < before) {
-            throw std::invalid_argument("children do not stand in the order of classes");
+        const std::size_t c = classes.of(binding, i);
+        if (c < before) {
+            throw std::invalid_argument(
+                "the children are not in the order of their classes");
         }
-        before = own;
-        ++out[own];
+        before = c;
+        ++out[c];
     }
     return out;
 }
@@ -63,15 +64,6 @@ ClassedGuides classed_guides(const Guides& guides, const StrandClasses& classes,
         out.profiles.push_back(guide_profiles<float>(guides, count));
         out.kernels.push_back(kernel_guides(out.profiles.back(), normals, blend));
     }
-    return out;
-}
-
-ClassedGuides one_class(const GuideProfiles<float>& profiles,
-                        std::span<const Vec3f> normals, Blend blend) {
-    ClassedGuides out;
-    out.classes.counts = {profiles.count};
-    out.profiles.push_back(profiles);
-    out.kernels.push_back(kernel_guides(profiles, normals, blend));
     return out;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// How finely strands are cut: a few classes of interval counts, so that a straight strand
-// does not pay for another's curls.
+// A few classes of interval counts, so that straight strands need fewer points than
+// curls.
 
 #include <cstdint>
 #include <vector>
@@ -12,36 +12,36 @@ namespace lancret {
 
 inline constexpr std::size_t kMaxClasses = 32;
 
-/// Classes are chosen by guide, before any child is grown: a child has that of its
+/// Classes are chosen per guide, before any child is grown: a child has the class of its
 /// heaviest guide, in every chunk and at every density.
 struct StrandClasses {
-    std::vector<int> counts;  ///< [classes <= kMaxClasses], intervals a strand, finest
-                              ///< first, each once
-    std::vector<std::uint8_t> of_guide{};  ///< [guides]; or empty: all have the first
+    std::vector<int> counts;  ///< [classes <= kMaxClasses], intervals per strand,
+                              ///< strictly descending
+    std::vector<std::uint8_t> of_guide{};  ///< [guides]; empty: all have class 0
 
     std::size_t size() const { return counts.size(); }
     /// The class of child i.
     std::size_t of(const Binding& binding, std::size_t i) const;
 };
 
-/// The first of child i's guides with the largest weight.
+/// The guide with the largest weight in child i, the first if several share it.
 std::uint32_t heaviest_guide(const Binding& binding, std::size_t i);
 
-/// How many children of `binding` each class has. Throws std::invalid_argument where they
-/// do not stand as in_class_order puts them.
+/// The number of children of `binding` in each class, [classes]. Throws
+/// std::invalid_argument if the children are not in the order of in_class_order.
 std::vector<std::uint32_t> class_sizes(const StrandClasses& classes,
                                        const Binding& binding);
 
-/// The children by their class, finest first, and in it by their ids, as `expand` wants
-/// them. The report is kept.
+/// The children sorted by class, finest first, then by id: the order that `expand`
+/// requires. Keeps the report.
 Binding in_class_order(Binding binding, const StrandClasses& classes);
 
-/// The guides of one time as the strands of each class read them.
+/// The guides of one time, sampled for the strands of each class.
 struct ClassedGuides {
     StrandClasses classes;
-    std::vector<GuideProfiles<float>> profiles;  ///< [classes], on their counts
-    std::vector<KernelGuides> kernels;  ///< [classes], of the blend; or empty: the scalar
-                                        ///< blends serve
+    std::vector<GuideProfiles<float>> profiles;  ///< [classes], at their counts
+    std::vector<KernelGuides> kernels;  ///< [classes], for the blend; empty: the scalar
+                                        ///< blends are used
 
     const GuideProfiles<float>& finest() const { return profiles.front(); }
     const KernelGuides& kernel(std::size_t c) const;
@@ -51,11 +51,7 @@ struct ClassedGuides {
 ClassedGuides classed_guides(const Guides& guides, const StrandClasses& classes,
                              std::span<const Vec3f> normals, Blend blend);
 
-/// One class of all strands, with its kernel.
-ClassedGuides one_class(const GuideProfiles<float>& profiles,
-                        std::span<const Vec3f> normals, Blend blend);
-
-/// visit(class, first, last): the children of `binding` that each class has, where it has
+/// Calls visit(class, first, last) with the range of children of every class that has
 /// any.
 template <class Visit>
 void each_class(const StrandClasses& classes, const Binding& binding,

@@ -89,7 +89,8 @@ int child_intervals(const GroomSettings& groom, const PlacedGuides& placed,
     if (groom.intervals) return *groom.intervals;
     try {
         return intervals_within(sample, placed.guides, groom.expand.blend,
-                                groom.tolerance, groom.expand.basis);
+                                groom.tolerance, groom.expand.basis)
+            .count;
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", groom.name, error.what()));
     }

@@ -13,6 +13,7 @@
 #include "procedural/bind/child.h"
 #include "procedural/blend/anchor_constants.h"
 #include "procedural/blend/option1_constants.h"
+#include "procedural/curves/emitted_curve.h"
 #include "procedural/kernels/curl_kernel.h"
 #include "procedural/kernels/strand_batch.h"
 // each .inl uses those before it
@@ -126,14 +127,12 @@ void expand_scalar(const KernelInput& in, std::size_t i, Point4f* points,
     const std::size_t n = in.guides.count;
     std::vector<HelixState<float>> states(n + 1);
     synthesize_child<float>(in.binding, in.profiles, in.blend, i, states);
-    const float ds = in.binding.lengths[i] / float(n);
-    const Vec3f& root = in.binding.roots.positions[i];
-    const Taper taper = in.taper.times(in.binding.roots.width(i));
-    if (in.basis == CurveBasis::hermite) {
-        hermite_points(states, ds, root, taper, {points, n + 1}, {tangents, n + 1});
-    } else {
-        bspline_points(states, ds, root, taper, {points, n + 3});
-    }
+    const std::size_t count = control_points_of(in.basis, std::uint32_t(n));
+    emit({.states = states,
+          .ds = in.binding.lengths[i] / float(n),
+          .root = in.binding.roots.positions[i],
+          .taper = in.taper.times(in.binding.roots.width(i))},
+         in.basis, {points, count}, {tangents, tangents ? count : 0});
 }
 
 void ExpandCurls(const KernelInput& in, const KernelOutput& out) {

@@ -70,23 +70,22 @@ StrandClasses classes_in_time(const ReadyGroom& ready, const GroomTimes& times,
 int intervals_in_time(const ReadyGroom& ready, const GroomTimes& times, CurveBasis basis,
                       double tolerance, int most, double* reached) {
     const Blend blend = ready.groom.expand.blend;
-    double distance = 0;
-    int out = intervals_within(ready.sample, ready.placed.guides, blend, tolerance, basis,
-                               most, &distance);
-    double farthest = distance;
+    FoundIntervals out = intervals_within(ready.sample, ready.placed.guides, blend,
+                                          tolerance, basis, most);
     each_measured_frame(
         ready, times, [&](int frame, const Guides& guides, const Binding& sample) {
             try {
-                out = std::max(out, intervals_within(sample, guides, blend, tolerance,
-                                                     basis, most, &distance));
-                farthest = std::max(farthest, distance);
+                const FoundIntervals found =
+                    intervals_within(sample, guides, blend, tolerance, basis, most);
+                out.count = std::max(out.count, found.count);
+                out.distance = std::max(out.distance, found.distance);
             } catch (const InputError& error) {
                 throw InputError(fmt::format("{}: frame {}: {}", times.cache.string(),
                                              frame, error.what()));
             }
         });
-    if (reached) *reached = farthest;
-    return out;
+    if (reached) *reached = out.distance;
+    return out.count;
 }
 
 RestPlaces prepare_frames(ReadyGroom& ready, const GroomTimes& times) {

@@ -14,11 +14,6 @@ namespace lancret {
 
 namespace {
 
-/// Number of curve segments of a strand with `points` control points.
-std::uint32_t segments_of(CurveBasis basis, std::uint32_t points) {
-    return basis == CurveBasis::hermite ? points - 1 : points - 3;
-}
-
 void number_segments(Curves& curves) {
     curves.segments = Buffer<std::uint32_t>(curves.segment_count());
     tbb::parallel_for(std::size_t(0), curves.classes.size(), [&](std::size_t c) {
@@ -145,7 +140,8 @@ std::vector<Curves> PluginStrands::curves() const {
     for (Curves& c : out) {
         for (std::size_t i = 0, first = 0; i < strands_; ++i) {
             if (i + 1 < strands_ && counts[i + 1] == counts[i]) continue;
-            c.add_class(std::uint32_t(i + 1 - first), segments_of(c.basis, counts[i]));
+            c.add_class(std::uint32_t(i + 1 - first),
+                        layout_of(c.basis).segments(counts[i]));
             first = i + 1;
         }
         c.ids = ids;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "procedural/expand/intervals.h"
+#include "procedural/curves/emitted_curve.h"
 #include "tests/abi/moving_plugin.h"
 
 namespace lancret {

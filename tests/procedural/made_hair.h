@@ -64,7 +64,17 @@ inline Roots guide_roots(const StandingGuides& standing) {
     return out;
 }
 
-/// Random guides and children, ready for expansion.
+/// One class for all strands, with its kernel.
+inline ClassedGuides one_class(const GuideProfiles<float>& profiles,
+                               std::span<const Vec3f> normals, Blend blend) {
+    ClassedGuides out;
+    out.classes.counts = {profiles.count};
+    out.profiles.push_back(profiles);
+    out.kernels.push_back(kernel_guides(profiles, normals, blend));
+    return out;
+}
+
+/// Random guides and children, ready to expand.
 struct MadeHair {
     StandingGuides standing;
     Binding binding;

@@ -250,11 +250,11 @@ TEST(Frames, CheckTellsHowFarChildrenMoveBesideTheirGuides) {
     const CommandRun run =
         lancret({"check", f.cache, "--blend", "position", "--json", json, "--distance",
                  "9", "--emitted-length", "1", "--length", "1"});
-    const auto temporal = json_of(json)["temporal"];
-    ASSERT_EQ(temporal["steps"].size(), 2u);
-    EXPECT_LE(temporal["share_of_limit"], 1 + 1e-6);
-    EXPECT_LE(temporal["amplification"], 1 + 1e-6);
-    EXPECT_GT(temporal["amplification"], 0.5);
+    const auto motion = json_of(json)["motion"];
+    ASSERT_EQ(motion["steps"].size(), 2u);
+    EXPECT_LE(motion["share_of_limit"], 1 + 1e-6);
+    EXPECT_LE(motion["amplification"], 1 + 1e-6);
+    EXPECT_GT(motion["amplification"], 0.5);
     EXPECT_THAT(run.out, HasSubstr("child's step over its guides'"));
 }
 
@@ -290,7 +290,7 @@ TEST(Frames, CheckFindsTheFrameWhoseGuidesLeaveTheScalp) {
     const std::string json = f.at("check.json");
     const CommandRun run = lancret({"check", f.cache, "--json", json, "--distance", "1"});
     EXPECT_EQ(run.exit_code, 1);
-    EXPECT_THAT(run.out, HasSubstr("FAIL: 1 of 3 frames go beyond a tolerance, the first "
+    EXPECT_THAT(run.out, HasSubstr("FAIL: 1 of 3 frames exceed a tolerance, the first "
                                    "is 12"));
     const auto report = json_of(json);
     EXPECT_FALSE(report["pass"]);
@@ -332,7 +332,7 @@ TEST(Frames, ACacheOfOneFrameByFitIsBoundAtItsFrame) {
     const CommandRun run = lancret({"check", f.at("fit.h5"), "--distance", "1"});
     ASSERT_THAT(run, works());
     EXPECT_THAT(run.out, HasSubstr("PASS: all 1 frames"));
-    EXPECT_THAT(run.out, HasSubstr("not asked"));
+    EXPECT_THAT(run.out, HasSubstr("not checked"));
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "procedural/check/report.h"
 #include "procedural/check/strand.h"
@@ -15,18 +17,21 @@ namespace {
 
 using test::MadeHair;
 
-constexpr std::size_t kStrand = 37;  ///< that the tests break
+constexpr std::size_t kStrand = 37;  ///< the strand that the tests break
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-/// 120 children of gentle guides, finely cut, and what breaks them.
+/// 120 children of gentle guides with many intervals, and functions that break one.
 struct Check : testing::Test {
     MadeHair hair{120, 32, 1, 4, 4, 0.1};
     Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
     Blend blend = Blend::option1;
 
     CheckReport report() const {
-        return check(hair.binding, hair.standing.guides, hair.classed(blend), curves,
-                     blend, 1, {});
+        return check_strands({hair.binding,
+                              hair.standing.guides,
+                              hair.classed(blend),
+                              curves,
+                              {.blend = blend}});
     }
     std::span<Point4f> points() {
         return curves.points.span().subspan(kStrand * curves.points_of(0),
@@ -37,7 +42,8 @@ struct Check : testing::Test {
             p = {p.x + by.x(), p.y + by.y(), p.z + by.z(), p.w};
         }
     }
-    /// That kStrand fails, nothing else does, and it is named the worst.
+    /// Expects that kStrand fails, and only kStrand, and that it is reported as the
+    /// worst.
     static void expect_only_ours_fails(const CheckReport& report) {
         EXPECT_FALSE(report.pass());
         for (const StrandCheck& s : report.strands) {
@@ -53,7 +59,7 @@ struct Check : testing::Test {
     }
 };
 
-TEST_F(Check, PassesWhatIsRight) {
+TEST_F(Check, PassesCorrectStrands) {
     const CheckReport found = report();
     EXPECT_TRUE(found.pass());
     ASSERT_EQ(found.strands.size(), 120u);
@@ -65,20 +71,20 @@ TEST_F(Check, PassesWhatIsRight) {
     EXPECT_THAT(check_table(found), testing::HasSubstr("\nPASS: all 120 strands"));
 }
 
-TEST_F(Check, FindsALengthThatIsNotItsGuides) {
+TEST_F(Check, FindsALengthThatDiffersFromTheGuides) {
     hair.binding.lengths[kStrand] *= 1.001f;
     curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
     const CheckReport found = report();
     expect_only_ours_fails(found);
-    // To the length's own tolerance of single precision.
+    // Up to single precision.
     EXPECT_NEAR(found.strands[kStrand].length_error, 1e-3, 1e-5);
     EXPECT_NEAR(found.strands[kStrand].emitted_length_error, 1e-3, 1e-4);
-    // The strand is the longer one as asked: the curve still lies on it.
+    // The strand itself is longer, so the curve still follows it.
     EXPECT_LT(found.strands[kStrand].distance, 0.01);
     EXPECT_NEAR(check_json(found)["length"]["max_relative_error"], 1e-3, 1e-5);
 }
 
-TEST_F(Check, FindsACurveThatIsNotOfTheStrandsLength) {
+TEST_F(Check, FindsACurveLongerThanItsStrand) {
     const float before = report().strands[kStrand].emitted_length_error;
     const Vec3f root = hair.binding.roots.positions[kStrand];
     for (Point4f& p : points()) {
@@ -98,10 +104,10 @@ TEST_F(Check, FindsAMovedControlPoint) {
     move(17, 1, 0.3f * tangent.unitOrthogonal().cast<float>());
     const CheckReport found = report();
     expect_only_ours_fails(found);
-    // A control point moves the curve by 4/6 at most, and a quarter of a segment off its
-    // middle by (4 - 6 t^2 + 3 t^3) / 6 = 0.61 of the 0.3 cm.
+    // A control point moves the curve by at most 4/6 of its own motion, and at t = 1/4 by
+    // (4 - 6 t^2 + 3 t^3) / 6 = 0.61 of the 0.3 cm.
     EXPECT_NEAR(found.strands[kStrand].distance, 0.61 * 0.3, 0.02);
-    // A bump makes the way longer.
+    // A bump makes the curve longer.
     EXPECT_GT(found.strands[kStrand].emitted_length_error,
               before.emitted_length_error + 1e-4);
     EXPECT_EQ(found.strands[kStrand].root_distance, before.root_distance);
@@ -114,12 +120,27 @@ TEST_F(Check, FindsAStrandOffItsRoot) {
     EXPECT_NEAR(found.strands[kStrand].root_distance, 0.01, 1e-5);
 }
 
-TEST_F(Check, FindsATipOutsideTheBound) {
-    move(curves.points_of(0) - 3, 3, Vec3f(0, 0, 1000));
+TEST_F(Check, FindsATipOutOfReach) {
+    // The last segment ends at the mean (1, 4, 1) / 6 of the last three control points:
+    // it moves with them along the chord, to 1.001 of the strand's length from its root.
+    // The check allows 1.0001 of it and 0.001 cm.
+    const Vec3f root = hair.binding.roots.positions[kStrand];
+    const Vec3f chord =
+        emitted_strand(curves, kStrand).position(31, 1).cast<float>() - root;
+    const float reach = hair.binding.lengths[kStrand] + 0.001f;
+    const auto move_tip_to = [&](float distance) {
+        move(curves.points_of(0) - 3, 3,
+             ((distance / chord.norm() - 1) * chord).cast<double>());
+    };
+    const std::vector<Point4f> before(points().begin(), points().end());
+    move_tip_to(0.9999f * reach);
+    EXPECT_TRUE(report().strands[kStrand].tip_within_reach);
+    std::ranges::copy(before, points().begin());
+    move_tip_to(1.001f * reach);
     const CheckReport found = report();
     expect_only_ours_fails(found);
     EXPECT_FALSE(found.strands[kStrand].tip_within_reach);
-    EXPECT_EQ(check_json(found)["outside_bound"], 1);
+    EXPECT_EQ(check_json(found)["out_of_reach"], 1);
 }
 
 TEST_F(Check, FindsNaNInAControlPoint) {
@@ -131,7 +152,7 @@ TEST_F(Check, FindsNaNInAControlPoint) {
     EXPECT_EQ(json["non_finite"], 1);
     EXPECT_TRUE(json["emitted_length"]["max_relative_error"].is_null());
     EXPECT_TRUE(json["worst"][0]["emitted_length"].is_null());
-    // What JSON cannot say must not come out as text that is no JSON.
+    // The text remains valid JSON.
     EXPECT_NO_THROW(nlohmann::json::parse(json.dump()));
 }
 
@@ -146,7 +167,7 @@ TEST_F(Check, FindsNaNInARadiusAndATangent) {
     expect_only_ours_fails(report());
 }
 
-TEST_F(Check, FindsNaNInWhatIsSynthesised) {
+TEST_F(Check, FindsNaNInSynthesis) {
     hair.binding.lengths[kStrand] = kNaN;
     const CheckReport found = report();
     EXPECT_FALSE(found.strands[kStrand].finite);
@@ -154,14 +175,17 @@ TEST_F(Check, FindsNaNInWhatIsSynthesised) {
 }
 
 TEST(CheckHull, FindsCurvatureOutsideThatOfTheGuides) {
-    // One guide a child, and one guide whose profile bends half as much again.
+    // One guide per child, and one guide whose profile has 1.5 times its curvature.
     MadeHair hair(200, 8, 2, 1);
     const std::uint32_t guide = hair.binding.guides[0];
     for (int i = 0; i < 8; ++i) hair.profiles.intervals[guide * 8 + i].kappa *= 1.5f;
     for (const Blend blend : {Blend::option1, Blend::position}) {
         const Curves curves = expand(hair.binding, hair.profiles, {.blend = blend});
-        const CheckReport found = check(hair.binding, hair.standing.guides,
-                                        hair.classed(blend), curves, blend, 1, {});
+        const CheckReport found = check_strands({hair.binding,
+                                                 hair.standing.guides,
+                                                 hair.classed(blend),
+                                                 curves,
+                                                 {.blend = blend}});
         EXPECT_EQ(found.hull_applies, blend == Blend::option1);
         if (blend == Blend::position) continue;
         std::size_t outside = 0;
@@ -182,15 +206,17 @@ TEST(CheckHull, FindsTorsionOutsideThatOfTheGuides) {
     const std::uint32_t guide = hair.binding.guides[0];
     hair.profiles.intervals[guide * 8 + 3].tau += 0.1f;
     const Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
-    const CheckReport found =
-        check(hair.binding, hair.standing.guides, hair.classed(Blend::option1), curves,
-              Blend::option1, 1, {});
+    const CheckReport found = check_strands({hair.binding,
+                                             hair.standing.guides,
+                                             hair.classed(Blend::option1),
+                                             curves,
+                                             {.blend = Blend::option1}});
     for (std::size_t i = 0; i < 100; ++i) {
         EXPECT_EQ(found.strands[i].inside_hull, hair.binding.guides[i] != guide);
     }
 }
 
-TEST(CheckReport, EachToleranceIsAskedAlone) {
+TEST(CheckReport, EachToleranceAppliesByItself) {
     const CheckReport report{.tolerances = {}, .hull_applies = true, .strands = {}};
     const CheckTolerances& t = report.tolerances;
     EXPECT_TRUE(report.passes({}));
@@ -206,7 +232,7 @@ TEST(CheckReport, EachToleranceIsAskedAlone) {
         EXPECT_TRUE(report.passes(strand));
         strand.*figure = float(1.01 * tolerance);
         EXPECT_FALSE(report.passes(strand));
-        // Also where other figures that are fine come after it.
+        // Even if later figures keep their tolerances.
         strand.*figure = kNaN;
         EXPECT_FALSE(report.passes(strand));
     }
@@ -224,7 +250,7 @@ TEST(CheckReport, FlagsFailAStrand) {
     EXPECT_TRUE(report.passes({.inside_hull = false}));
 }
 
-TEST(CheckReport, WorstGoesByTheShareOfATolerance) {
+TEST(CheckReport, WorstIsTheLargestShareOfATolerance) {
     CheckReport report;
     report.strands.resize(4);
     for (std::uint32_t i = 0; i < 4; ++i) report.strands[i].strand = i;
@@ -248,25 +274,29 @@ TEST(CheckReport, HistogramCountsDecadesOfTheLengthError) {
     EXPECT_EQ(check_json(report)["length"]["histogram"], nlohmann::json(expected));
 }
 
-TEST(CheckHull, IsNotAskedWhereAnIntervalHoldsAJoint) {
-    // 26 intervals over 4 segments: those across a joint have no curvature of their own.
+TEST(CheckHull, SkipsIntervalsThatContainAJoint) {
+    // 26 intervals over 4 segments: those across a joint have no single curvature.
     MadeHair hair{120, 26, 1, 4, 4, 0.1};
     const Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
-    const CheckReport report =
-        check(hair.binding, hair.standing.guides, hair.classed(Blend::option1), curves,
-              Blend::option1, 1, {});
+    const CheckReport report = check_strands({hair.binding,
+                                              hair.standing.guides,
+                                              hair.classed(Blend::option1),
+                                              curves,
+                                              {.blend = Blend::option1}});
     for (const StrandCheck& s : report.strands) EXPECT_TRUE(s.inside_hull) << s.strand;
 }
 
 TEST(CheckHull, FindsAStrandThatBendsMoreThanItsGuides) {
-    // The strands are made of one set of guides and held against a straighter one.
+    // The strands are made from one set of guides and compared with straighter ones.
     MadeHair hair{120, 32, 1, 4, 4, 0.1};
     const Curves curves = expand(hair.binding, hair.profiles, {.blend = Blend::option1});
     Guides straighter = hair.standing.guides;
     for (Vec3& u : straighter.curvatures) u *= 0.5;
-    const CheckReport report =
-        check(hair.binding, straighter, hair.classed(Blend::option1), curves,
-              Blend::option1, 1, {});
+    const CheckReport report = check_strands({hair.binding,
+                                              straighter,
+                                              hair.classed(Blend::option1),
+                                              curves,
+                                              {.blend = Blend::option1}});
     std::size_t outside = 0;
     for (const StrandCheck& s : report.strands) outside += !s.inside_hull;
     EXPECT_GT(outside, report.strands.size() / 2);

@@ -1,5 +1,5 @@
-// Guides that move smoothly through what is hard for a blend, in small steps: a child
-// keeps its bound where its blend has one, and nothing pops.
+// Guides move smoothly, in small steps, through configurations that are hard for a blend:
+// a child keeps its limit if its blend has one, and does not pop.
 
 #include "procedural/check/child_motion.h"
 
@@ -18,7 +18,7 @@ using test::HardCase;
 using test::kForward;
 using test::kHardCases;
 
-/// One child between two guides, by hand.
+/// One child of two guides.
 Binding one_child(std::vector<float> weights = {0.55f, 0.45f}) {
     Binding out;
     out.neighbours = 2;
@@ -33,7 +33,7 @@ Binding one_child(std::vector<float> weights = {0.55f, 0.45f}) {
 
 const RigidPose kStill;
 
-/// The most over all steps.
+/// The largest values over all steps.
 struct Steps {
     double child = 0, guides = 0, amplification = 0;
 };
@@ -59,14 +59,14 @@ Steps steps_of(const HardCase& hard, Blend blend, int steps) {
     return out;
 }
 
-/// Blends that must not pop: halving the time step halves the child's largest step.
+/// Blends that must not pop: half the time step halves the child's largest step.
 constexpr Blend kNeverPop[] = {Blend::detail, Blend::option2, Blend::option3,
                                Blend::nearest, Blend::position};
 
-TEST(Temporal, NothingPopsAsGuidesPassThroughTheHardCases) {
+TEST(ChildMotion, NothingPopsAsGuidesPassThroughTheHardCases) {
     constexpr int kSteps = 200;
     for (const BlendTraits& entry : blends()) {
-        const auto bound = amplification_bound(entry.blend);
+        const auto limit = amplification_limit(entry.blend);
         for (const HardCase& hard : kHardCases) {
             SCOPED_TRACE(fmt::format("{}, {}", entry.name, hard.name));
             const Steps coarse = steps_of(hard, entry.blend, kSteps),
@@ -75,40 +75,40 @@ TEST(Temporal, NothingPopsAsGuidesPassThroughTheHardCases) {
                        entry.name, hard.name, fine.guides, coarse.child, fine.child,
                        coarse.child / fine.child, fine.amplification);
             EXPECT_TRUE(std::isfinite(fine.amplification));
-            // Guides' own steps halve: they are smooth, to a share of one step.
+            // The guides' steps halve, as their motion is smooth.
             EXPECT_NEAR(fine.guides / coarse.guides, 0.5, 0.01);
-            if (bound) {
-                // Places of 10 cm by doubles, over a least motion of 5e-4 cm.
-                EXPECT_LE(coarse.amplification, *bound + 1e-9);
-                EXPECT_LE(fine.amplification, *bound + 1e-9);
+            if (limit) {
+                // The rounding of places of 10 cm in doubles, over a motion of 5e-4 cm.
+                EXPECT_LE(coarse.amplification, *limit + 1e-9);
+                EXPECT_LE(fine.amplification, *limit + 1e-9);
             }
             if (std::ranges::find(kNeverPop, entry.blend) != std::end(kNeverPop)) {
-                // A smooth motion's largest step, to a share of one step of 200.
+                // A smooth motion's largest step halves, up to one step of 200.
                 EXPECT_NEAR(fine.child / coarse.child, 0.5, 0.01);
             }
         }
     }
 }
 
-TEST(Temporal, AChildThatJumpsWhileItsGuidesRestIsFound) {
+TEST(ChildMotion, AChildThatJumpsWhileItsGuidesRestIsFound) {
     Guides guides;
     add_even(guides, {0, 0, 0});
     add_even(guides, {0, 0, 0}, frame_along(Vec3::UnitY()));
     const auto profiles = guide_profiles<double>(guides, 8);
     const Binding a = one_child({1, 0}), b = one_child({0, 1});
-    const TemporalReport report = temporal_check(
+    const MotionReport report = check_motion(
         {&a, &profiles, {&kStill, 1}}, {&b, &profiles, {&kStill, 1}}, Blend::position);
-    // Its tip goes from 10 x to 10 y; its only guide is another each time, so that what
-    // they do is the same.
+    // Its tip moves from 10 x to 10 y because it changes its only guide, and the motion
+    // of its guides is measured to be the same.
     EXPECT_NEAR(report.largest_child, 10 * std::numbers::sqrt2, 1e-12);
     const Binding c = one_child({0.75, 0.25}), d = one_child({0.25, 0.75});
-    const TemporalReport still = temporal_check(
+    const MotionReport still = check_motion(
         {&c, &profiles, {&kStill, 1}}, {&d, &profiles, {&kStill, 1}}, Blend::position);
     EXPECT_EQ(still.largest_guides, 0);
     EXPECT_NEAR(still.amplification, 5 * std::numbers::sqrt2 / kMinMotion, 1e-6);
 }
 
-TEST(Temporal, ATurnOfTheWholeHeadIsNoMotion) {
+TEST(ChildMotion, ARotationOfTheWholeHeadIsNoMotion) {
     const test::MadeHair hair(40, 12, 5);
     const Mat3 turn =
         Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()).toRotationMatrix();
@@ -121,22 +121,22 @@ TEST(Temporal, ATurnOfTheWholeHeadIsNoMotion) {
     const auto after = guide_profiles<double>(guides, 12);
     const RigidPose pose{turn, Vec3(5, 6, 7)};
     for (const BlendTraits& entry : blends()) {
-        const TemporalReport report =
-            temporal_check({&hair.binding, &before, {&kStill, 1}},
-                           {&turned, &after, {&pose, 1}}, entry.blend);
-        // Normals in floats, good to 1e-7, over 16 cm; a blend may repeat that some
-        // times.
+        const MotionReport report =
+            check_motion({&hair.binding, &before, {&kStill, 1}},
+                         {&turned, &after, {&pose, 1}}, entry.blend);
+        // Float normals are accurate to 1e-7, over 16 cm; a blend may add up several such
+        // errors.
         EXPECT_LT(report.largest_child, 2e-5) << entry.name;
         EXPECT_LT(report.largest_guides, 5e-6) << entry.name;
     }
-    // Seen from a head that stands still, all of it moves.
-    const TemporalReport seen =
-        temporal_check({&hair.binding, &before, {&kStill, 1}},
-                       {&turned, &after, {&kStill, 1}}, Blend::position);
+    // Relative to a head at rest, everything moves.
+    const MotionReport seen =
+        check_motion({&hair.binding, &before, {&kStill, 1}},
+                     {&turned, &after, {&kStill, 1}}, Blend::position);
     EXPECT_GT(seen.largest_child, 1);
 }
 
-TEST(Temporal, ManyChildrenOfPositionKeepItsBound) {
+TEST(ChildMotion, ManyChildrenOfPositionKeepItsLimit) {
     const test::MadeHair hair(300, 12, 5);
     Guides guides = hair.standing.guides;
     const auto before = guide_profiles<double>(guides, 12);
@@ -144,9 +144,9 @@ TEST(Temporal, ManyChildrenOfPositionKeepItsBound) {
     std::normal_distribution<double> normal(0, 0.1);
     for (Vec3& u : guides.curvatures) u += Vec3::Constant(normal(random));
     const auto after = guide_profiles<double>(guides, 12);
-    const TemporalReport report =
-        temporal_check({&hair.binding, &before, {&kStill, 1}},
-                       {&hair.binding, &after, {&kStill, 1}}, Blend::position);
+    const MotionReport report =
+        check_motion({&hair.binding, &before, {&kStill, 1}},
+                     {&hair.binding, &after, {&kStill, 1}}, Blend::position);
     EXPECT_GT(report.amplification, 0.1);
     EXPECT_LE(report.amplification, 1 + 1e-9);
     EXPECT_EQ(report.motion.amplification(), report.amplification);

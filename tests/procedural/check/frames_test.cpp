@@ -1,4 +1,4 @@
-#include "procedural/check/frames.h"
+#include "procedural/check/frames_report.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A report of two strands, the second with this length error.
+/// A report of two strands; the second has this length error.
 CheckReport report_of(float length_error) {
     CheckReport out;
     out.strands.resize(2);
@@ -23,7 +23,7 @@ CheckReport report_of(float length_error) {
     return out;
 }
 
-TEST(CheckFrames, TellsTheWorstOverFramesAndWhereItIs) {
+TEST(CheckFrames, ReportsTheWorstValueAndItsFrame) {
     FramesReport report;
     add_frame(report, 7, report_of(2e-6f), {});
     add_frame(report, 8, report_of(-8e-6f), {});
@@ -45,10 +45,10 @@ TEST(CheckFrames, OneStrandOfOneFrameFailsTheRun) {
     EXPECT_FALSE(report.pass());
     EXPECT_EQ(report.frames[1].failed, 1u);
     EXPECT_THAT(frames_table(report),
-                HasSubstr("FAIL: 1 of 2 frames go beyond a tolerance, the first is 2"));
+                HasSubstr("FAIL: 1 of 2 frames exceed a tolerance, the first is 2"));
 }
 
-TEST(CheckFrames, ANumberThatIsNoneFailsAndBecomesNull) {
+TEST(CheckFrames, NaNFailsAndBecomesNull) {
     FramesReport report;
     add_frame(report, 1, report_of(std::numeric_limits<float>::quiet_NaN()), {});
     EXPECT_FALSE(report.pass());
@@ -56,7 +56,7 @@ TEST(CheckFrames, ANumberThatIsNoneFailsAndBecomesNull) {
                     .is_null());
 }
 
-TEST(CheckFrames, GuidesOffTheScalpFailOnlyWhereThatIsAsked) {
+TEST(CheckFrames, GuidesOffTheScalpFailOnlyIfThatApplies) {
     GuideCheck guides;
     guides.root_distance = 1;
     guides.root_applies = false;
@@ -68,36 +68,36 @@ TEST(CheckFrames, GuidesOffTheScalpFailOnlyWhereThatIsAsked) {
     EXPECT_FALSE(strict.pass());
 }
 
-TEST(CheckFrames, AStepBeyondTheBlendsBoundFailsTheRun) {
-    const auto run = [](double share, std::optional<double> bound) {
+TEST(CheckFrames, AStepBeyondTheBlendsLimitFailsTheRun) {
+    const auto run = [](double share, std::optional<double> limit) {
         FramesReport report;
         add_frame(report, 3, report_of(0), {});
         add_frame(report, 3.5, report_of(0), {});
-        TemporalReport motion;
+        MotionReport motion;
         motion.amplification = 35;
         motion.child = 1;
-        motion.motion = {35, 1, bound};
+        motion.motion = {35, 1, limit};
         motion.share_of_limit = share;
         add_step(report, 3, 3.5, motion);
         return report;
     };
     EXPECT_TRUE(run(1, 35).pass());
-    EXPECT_TRUE(run(0, std::nullopt).pass());  // has no bound, and says so
+    EXPECT_TRUE(run(0, std::nullopt).pass());
     const FramesReport beyond = run(1.01, 34.65);
     EXPECT_FALSE(beyond.pass());
-    EXPECT_THAT(frames_table(beyond), HasSubstr("FAIL: 1 of 1 steps go beyond the "
-                                                "blend's bound, the first is 3 to 3.5"));
-    const nlohmann::json json = frames_json(beyond)["temporal"];
+    EXPECT_THAT(frames_table(beyond), HasSubstr("FAIL: 1 of 1 steps exceed the "
+                                                "blend's limit, the first is 3 to 3.5"));
+    const nlohmann::json json = frames_json(beyond)["motion"];
     EXPECT_EQ(json["amplification"], 35);
     EXPECT_EQ(json["share_of_limit"], 1.01);
     EXPECT_EQ(json["to"], 3.5);
-    const auto free = frames_json(run(0, std::nullopt))["temporal"];
+    const auto free = frames_json(run(0, std::nullopt))["motion"];
     EXPECT_TRUE(free["share_of_limit"].is_null());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(run(nan, 35).pass());
 }
 
-TEST(CheckGuides, FindsWhatIsOffAndByHowMuch) {
+TEST(CheckGuides, MeasuresEveryError) {
     const Guides rest = test::random_guides(5, 3, 1);
     const auto check_of = [&](auto change) {
         Guides now = rest;
@@ -109,11 +109,11 @@ TEST(CheckGuides, FindsWhatIsOffAndByHowMuch) {
     EXPECT_TRUE(passes(same, tolerances));
     EXPECT_EQ(same.root_distance, 0);
     const GuideCheck off = check_of([](Guides& g) { g.root_positions[3].x() += 0.25; });
-    // Of coordinates below 8: round-off of 2^-50.
+    // Coordinates below 8 are rounded by 2^-50.
     EXPECT_NEAR(off.root_distance, 0.25, 1e-14);
     EXPECT_EQ(off.worst_root, 3u);
     EXPECT_FALSE(passes(off, tolerances));
-    // (1 + x)^2 - 1 = 2 x, but for x^2 and round-off.
+    // (1 + x)^2 - 1 = 2 x, up to x^2 and round-off.
     const GuideCheck large = check_of([](Guides& g) { g.root_frames[2] *= 1 + 1e-4; });
     EXPECT_NEAR(large.orthogonality, 2e-4, 2e-8);
     EXPECT_FALSE(passes(large, tolerances));

@@ -14,11 +14,11 @@ HelixState<float> narrowed(const HelixState<double>& state) {
     return {state.frame.cast<float>(), state.position.cast<float>()};
 }
 
-/// The ends of an interval of length `ds` that starts with `frame` at the origin.
-struct Ends {
+/// An interval of length `ds` that starts at the origin with `frame`.
+struct Interval {
     HelixState<double> start, end;
 
-    Ends(const Vec3& u, double ds, const Mat3& frame = Mat3::Identity())
+    Interval(const Vec3& u, double ds, const Mat3& frame = Mat3::Identity())
         : start{frame, Vec3::Zero()}, end(start) {
         advance<double>(end, u, ds);
     }
@@ -27,9 +27,10 @@ struct Ends {
     }
 };
 
-// Entries of float frames are good to 6e-8; both frames have nine, so their relative
-// rotation vector is good to some 5e-7, curvatures to that over ds, and the length to a
-// quarter of it (its share in sqrt(p^2 + (1 - p^2) sinc^2)) and the chord's own rounding.
+// Entries of float frames are accurate to 6e-8. Both frames have nine, so the rotation
+// vector between them is accurate to about 5e-7, curvatures to that over ds, and the
+// length to a quarter of it (its part in sqrt(p^2 + (1 - p^2) sinc^2)) plus the rounding
+// of the chord.
 constexpr double kTurnError = 1e-6, kLengthError = 5e-7;
 
 TEST(MeasuredInterval, RecoversRandomHelices) {
@@ -40,7 +41,7 @@ TEST(MeasuredInterval, RecoversRandomHelices) {
         const double ds = step(random);
         Vec3 u(normal(random), normal(random), normal(random));
         u *= angle(random) / ds / u.norm();
-        const auto m = Ends(u, ds, test::random_rotation(random)).measured();
+        const auto m = Interval(u, ds, test::random_rotation(random)).measured();
         EXPECT_NEAR(m.length, ds, kLengthError * ds);
         EXPECT_NEAR(m.kappa, std::hypot(u.y(), u.z()), kTurnError / ds);
         EXPECT_NEAR(m.tau, u.x(), kTurnError / ds);
@@ -50,29 +51,30 @@ TEST(MeasuredInterval, RecoversRandomHelices) {
 
 TEST(MeasuredInterval, OfAStraightIntervalIsItsChord) {
     const auto m =
-        Ends(Vec3::Zero(), 0.7, test::random_guides(1, 1, 2).root_frames[0]).measured();
+        Interval(Vec3::Zero(), 0.7, test::random_guides(1, 1, 2).root_frames[0])
+            .measured();
     EXPECT_NEAR(m.length, 0.7, kLengthError * 0.7);
     EXPECT_NEAR(m.kappa, 0, kTurnError / 0.7);
 }
 
 TEST(MeasuredInterval, OfACircleIsItsArcNotItsChord) {
     // Two radians of a unit circle: arc 2, chord 2 sin 1 = 1.683.
-    const auto m = Ends({0, 0, 1}, 2).measured();
+    const auto m = Interval({0, 0, 1}, 2).measured();
     EXPECT_NEAR(m.length, 2, 2 * kLengthError);
     EXPECT_NEAR(m.kappa, 1, kTurnError);
     EXPECT_NEAR(m.tau, 0, kTurnError);
 }
 
 TEST(MeasuredInterval, OfPureTwistIsStraight) {
-    const auto m = Ends({1.5, 0, 0}, 1).measured();
+    const auto m = Interval({1.5, 0, 0}, 1).measured();
     EXPECT_NEAR(m.length, 1, kLengthError);
-    // 1 - p^2 is of the axis' error squared, which the root gives back.
+    // 1 - p^2 is the squared error of the axis; the square root recovers the error.
     EXPECT_NEAR(m.kappa, 0, kTurnError);
     EXPECT_NEAR(m.tau, 1.5, kTurnError);
 }
 
-TEST(MeasuredInterval, TellsATurnToTheOtherSideByTorsion) {
-    EXPECT_NEAR(Ends({-0.8, 0.3, 0.1}, 1).measured().tau, -0.8, kTurnError);
+TEST(MeasuredInterval, SignsTorsion) {
+    EXPECT_NEAR(Interval({-0.8, 0.3, 0.1}, 1).measured().tau, -0.8, kTurnError);
 }
 
 TEST(PlaceOn, WalksTheHelix) {
@@ -80,20 +82,21 @@ TEST(PlaceOn, WalksTheHelix) {
     std::normal_distribution<double> normal(0, 0.8);
     for (int round = 0; round < 200; ++round) {
         const Vec3 u(normal(random), normal(random), normal(random));
-        const Ends ends(u, 0.9, test::random_rotation(random));
+        const Interval interval(u, 0.9, test::random_rotation(random));
         for (const double t : {0.0, 0.25, 0.5, 1.0}) {
-            HelixState<double> exact = ends.start;
+            HelixState<double> exact = interval.start;
             advance<double>(exact, u, 0.9 * t);
-            const Vec3 place = place_on(narrowed(ends.start), ends.measured(), t);
+            const Vec3 place = place_on(narrowed(interval.start), interval.measured(), t);
             EXPECT_LT((place - exact.position).norm(), kTurnError * 0.9);
         }
     }
 }
 
 TEST(PlaceOn, ReachesTheEndOfAStraightInterval) {
-    const Ends ends(Vec3::Zero(), 0.9);
+    const Interval interval(Vec3::Zero(), 0.9);
     EXPECT_LT(
-        (place_on(narrowed(ends.start), ends.measured(), 0.5) - Vec3(0.45, 0, 0)).norm(),
+        (place_on(narrowed(interval.start), interval.measured(), 0.5) - Vec3(0.45, 0, 0))
+            .norm(),
         kTurnError);
 }
 
@@ -117,7 +120,7 @@ TEST(OrthogonalityError, OfANaNBeforeGoodFramesStays) {
     EXPECT_FALSE(orthogonality_error(states) <= 1e-6);
 }
 
-/// y = a x^2 over x = 0 .. n, exactly, in either basis.
+/// y = a x^2 for x in [0, n], exact in both bases.
 struct Parabola {
     std::vector<Point4f> points, tangents;
     EmittedStrand strand;
@@ -129,7 +132,7 @@ struct Parabola {
                 tangents.push_back({1, 2 * a * float(i), 0, 0});
             }
         } else {
-            // (c- + 4 c + c+) / 6 of a (i^2 - 1/3) is a i^2.
+            // (c- + 4 c + c+) / 6 of the control values a (i^2 - 1/3) is a i^2.
             for (int i = -1; i <= n + 1; ++i) {
                 points.push_back({float(i), a * (float(i * i) - 1.0f / 3), 0, 1});
             }
@@ -145,8 +148,9 @@ TEST(EmittedStrand, LengthOfAParabolaIsItsClosedForm) {
     for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
         const Parabola parabola(basis, float(a), int(n));
         EXPECT_EQ(parabola.strand.segments(), 12u);
-        // Four Gauss points leave 6e-10 of the eighth derivative, below 1e-4 here; the
-        // thirds in the B-spline's points are rounded by 5e-7 each.
+        // Quadrature with four points leaves 6e-10 of the eighth derivative, which is
+        // below 1e-4; the thirds in the B-spline's control points are rounded by 5e-7
+        // each.
         EXPECT_NEAR(parabola.strand.length(), exact, 1e-6);
     }
 }

@@ -12,15 +12,18 @@ namespace {
 
 using test::MadeHair;
 
-/// 80 children of every guide's own curl, and the check's report on them.
+/// 80 children of random guides, and their check.
 struct Checked {
     MadeHair hair{80, 16, 3};
     Blend blend = Blend::detail;
 
     CheckReport report() const {
         const Curves curves = expand(hair.binding, hair.profiles, {.blend = blend});
-        return check(hair.binding, hair.standing.guides, hair.classed(blend), curves,
-                     blend, 1, {});
+        return check_strands({hair.binding,
+                              hair.standing.guides,
+                              hair.classed(blend),
+                              curves,
+                              {.blend = blend}});
     }
 };
 
@@ -43,19 +46,18 @@ TEST(CheckValues, TheLargestOrthogonalityOfAStrandIsTheReports) {
         made.hair.binding, made.hair.classed(made.blend), made.blend);
     ASSERT_EQ(values.strands(), 80u);
     for (std::size_t i = 0; i < 80; ++i) {
-        const auto own = values.of(i);
-        ASSERT_EQ(own.size(), 17u);
-        EXPECT_EQ(*std::ranges::max_element(own), report.strands[i].orthogonality) << i;
+        const auto along = values.of(i);
+        ASSERT_EQ(along.size(), 17u);
+        EXPECT_EQ(*std::ranges::max_element(along), report.strands[i].orthogonality) << i;
     }
 }
 
 TEST(CheckValues, CurvatureAndTorsionAreThoseOfAHelix) {
-    // All guides alike, each of one helix: so are their children, at any weights. An
-    // entry of a frame is good to 5e-7 and of a rotation over ds to 2e-6, twice that over
-    // both ends; check's own allowance for single precision.
+    // All guides are the same helix, and so are their children at any weights. An entry
+    // of a frame is accurate to 5e-7 and a rotation over ds to 2e-6, twice that over both
+    // ends: the allowance of the check for single precision.
     Guides guides;
     std::vector<Vec3f> normals;
-
     const Mat3 frame = (Mat3() << Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY()).finished();
     for (int g = 0; g < 6; ++g) {
         test::add_guide(guides, {Vec3(-0.2, 0, 0.5)}, 10, frame, Vec3(g, 0, 0));
@@ -66,7 +68,8 @@ TEST(CheckValues, CurvatureAndTorsionAreThoseOfAHelix) {
     const float tolerance = 4e-6f / 0.5f;
     for (const Blend blend : {Blend::detail, Blend::option1, Blend::nearest}) {
         ASSERT_TRUE(traits_of(blend).has_torsion);
-        const ClassedGuides classed = one_class(profiles, binding.guide_normals, blend);
+        const ClassedGuides classed =
+            test::one_class(profiles, binding.guide_normals, blend);
         const StrandValues kappa = curvature_values(binding, classed, blend);
         const StrandValues tau = torsion_values(binding, classed, blend);
         ASSERT_EQ(kappa.values.size(), 400u);
@@ -78,7 +81,7 @@ TEST(CheckValues, CurvatureAndTorsionAreThoseOfAHelix) {
     }
 }
 
-TEST(CheckValues, ThoseOfPlacesAreJoinedAndThoseOfIntervalsHold) {
+TEST(CheckValues, AreLinearBetweenPlacesAndConstantInIntervals) {
     const StrandValues intervals{false, {1, 2, 5, 7}, {0, 2, 4}};
     EXPECT_EQ(intervals.at(1, 0), 5);
     EXPECT_EQ(intervals.at(1, 0.49f), 5);
@@ -92,13 +95,14 @@ TEST(CheckValues, ThoseOfPlacesAreJoinedAndThoseOfIntervalsHold) {
     EXPECT_EQ(places.at(1, 1), 6);
 }
 
-TEST(CheckValues, WhatIsNoNumberIsTheLargest) {
+TEST(CheckValues, NonFiniteValuesAreTheLargest) {
     CheckReport report;
     report.strands.resize(2);
     report.strands[0].length_error = std::numeric_limits<float>::quiet_NaN();
     report.strands[1].length_error = -std::numeric_limits<float>::infinity();
-    for (const float value : length_error_values(report).values)
+    for (const float value : length_error_values(report).values) {
         EXPECT_EQ(value, std::numeric_limits<float>::max());
+    }
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "procedural/check/strand.h"
 #include "procedural/chunk/chunked_groom.h"
 #include "procedural/motion/posed_binding.h"
+#include "tests/procedural/curve_box.h"
 #include "tests/procedural/made_hair.h"
 
 namespace lancret {
@@ -42,11 +43,11 @@ TEST(Chunks, HoldEveryChildOnceInOrder) {
         EXPECT_EQ(chunks.size(), (count + 99) / 100);
         std::vector<std::uint32_t> all;
         for (std::size_t c = 0; c < chunks.size(); ++c) {
-            const auto own = chunks.of(c);
-            EXPECT_LE(own.size(), 100u);
-            EXPECT_GE(own.size(), count / chunks.size());
-            EXPECT_TRUE(std::ranges::is_sorted(own));
-            all.insert(all.end(), own.begin(), own.end());
+            const auto children = chunks.of(c);
+            EXPECT_LE(children.size(), 100u);
+            EXPECT_GE(children.size(), count / chunks.size());
+            EXPECT_TRUE(std::ranges::is_sorted(children));
+            all.insert(all.end(), children.begin(), children.end());
         }
         std::ranges::sort(all);
         std::vector<std::uint32_t> expected(count);
@@ -56,7 +57,7 @@ TEST(Chunks, HoldEveryChildOnceInOrder) {
 }
 
 TEST(Chunks, AreTheSameForAnyNumberOfThreads) {
-    // Some children stand in one place.
+    // Some children stand at the same place.
     std::vector<Vec3f> roots = random_places(20000, 2);
     std::fill(roots.begin() + 100, roots.begin() + 3000, roots[0]);
     const Chunks expected = chunks_of(roots, 64);
@@ -69,9 +70,9 @@ TEST(Chunks, AreTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(Chunks, LieTogether) {
-    // 64 chunks of a square of side 20 have boxes of 20 / 8 a side, to the spread of 100
-    // uniform roots: together about the square's area and not much more.
+TEST(Chunks, AreCompact) {
+    // 64 chunks of a square of side 20 have boxes of side 20 / 8, less the margin of 100
+    // uniform roots: together they have almost the area of the square.
     std::vector<Vec3f> roots = random_places(6400, 3);
     for (Vec3f& p : roots) p.z() = 0;
     const Chunks chunks = chunks_of(roots, 100);
@@ -85,7 +86,7 @@ TEST(Chunks, LieTogether) {
     EXPECT_GE(area, 400 * 0.9);
 }
 
-TEST(Chunks, OfNothingAreNone) {
+TEST(Chunks, OfNoChildrenAreNone) {
     EXPECT_EQ(make_chunks(0, {}).size(), 0u);
     EXPECT_THROW(make_chunks(
                      1, [](auto) { return Vec3f(0, 0, 0); }, 0),
@@ -102,22 +103,28 @@ GroomSettings small_groom() {
     return groom;
 }
 
+/// A chunk's strands at rest.
+Curves expanded(const ChunkedGroom& groom, std::size_t chunk) {
+    return expand(bind_chunk(groom, chunk), rest_guides(groom.ready),
+                  groom.ready.groom.expand);
+}
+
 void expect_chunks_of_the_whole(const GroomSettings& groom) {
     const ReadyGroom whole = make_ready_groom(groom);
     const Curves all = expand(whole.binding, rest_guides(whole), groom.expand);
-    std::map<std::uint32_t, std::uint32_t> place;  // of an id
+    std::map<std::uint32_t, std::uint32_t> place;  // id -> index
     for (std::uint32_t i = 0; i < all.strands; ++i) place[all.id_of(i)] = i;
     for (const std::uint32_t most : {1000u, 128u, 7u}) {
         const ChunkedGroom chunked = make_chunked_groom(groom, most);
         ASSERT_EQ(chunked.ready.profiles.count, whole.profiles.count);
         std::size_t strands = 0;
         for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-            const Curves own = expand_chunk(chunked, c);
-            strands += own.strands;
-            for (std::uint32_t i = 0; i < own.strands; ++i) {
-                const std::uint32_t id = own.id_of(i);
+            const Curves chunk = expanded(chunked, c);
+            strands += chunk.strands;
+            for (std::uint32_t i = 0; i < chunk.strands; ++i) {
+                const std::uint32_t id = chunk.id_of(i);
                 ASSERT_TRUE(place.contains(id));
-                const auto mine = own.of_strand(own.points, i),
+                const auto mine = chunk.of_strand(chunk.points, i),
                            theirs = all.of_strand(all.points, place[id]);
                 ASSERT_EQ(mine.size(), theirs.size());
                 ASSERT_EQ(std::memcmp(mine.data(), theirs.data(), mine.size_bytes()), 0)
@@ -142,7 +149,6 @@ TEST(Chunks, HaveTheBitsOfTheWholeAtAnyDensity) {
     expect_chunks_of_the_whole(groom);
 }
 
-/// All of a chunk's box and what is seen of it, on hair of blends, bases and widths.
 TEST(ChunkBox, HoldsItsStrandsTightly) {
     for (const BlendTraits& named : blends()) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
@@ -155,15 +161,15 @@ TEST(ChunkBox, HoldsItsStrandsTightly) {
                 hair.binding, hair.classed(settings.blend), curves, settings, chunks);
             EXPECT_EQ(check.chunks, 6u);
             EXPECT_TRUE(check.pass()) << named.name << ' ' << chunks_line(check);
-            // Of boxes some 10 cm a side: hulls of segments that turn by up to a third of
-            // a radian over 0.5 cm stand out by a few hundredths.
+            // The boxes have sides of about 10 cm. The hulls of segments that turn by up
+            // to a third of a radian over 0.5 cm exceed the curves by a few hundredths.
             EXPECT_LT(check.largest_ratio, 1.1) << named.name;
             EXPECT_GE(check.mean_ratio, 1) << named.name;
         }
     }
 }
 
-/// One by one, where nothing else hides an end, and coarsely cut.
+/// Chunks of one strand, so that no other strand extends the box, with few intervals.
 TEST(ChunkBox, HoldsEachStrandByItself) {
     for (const BlendTraits& named : blends()) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
@@ -181,7 +187,7 @@ TEST(ChunkBox, HoldsEachStrandByItself) {
     }
 }
 
-TEST(ChunkBox, TheCheckSeesAStrandOutsideAndAnotherStrand) {
+TEST(ChunkBox, TheCheckFindsAStrandOutsideAndAChangedStrand) {
     const MadeHair hair(200, 12, 8);
     const Chunks chunks = chunks_of(hair.binding.roots.positions, 50);
     Curves curves = expand(hair.binding, hair.profiles, {});
@@ -191,6 +197,7 @@ TEST(ChunkBox, TheCheckSeesAStrandOutsideAndAnotherStrand) {
     const ChunkCheck check =
         check_chunks(hair.binding, hair.classed(Blend::detail), curves, {}, chunks);
     EXPECT_EQ(check.outside, 1u);
+    EXPECT_EQ(check.outside_reach, 1u);
     EXPECT_EQ(check.unlike, 2u);
     EXPECT_FALSE(check.pass());
 }
@@ -204,27 +211,53 @@ TEST(ChunkBox, StrandsThatLeaveTheBoxAreCounted) {
     const std::size_t each = curves.points_of(0);
     curves.points[5 * each + 7].x += 40;
     EXPECT_EQ(strands_outside(curves, box), 1u);
-    // Wider than the groom: on every side of the box at once.
+    // Wider than the groom: outside of every side of the box.
     curves.points[6 * each + 7].w = 40;
     EXPECT_EQ(strands_outside(curves, box), 2u);
-    // Half the box: those that stand in the other half, or cross the middle.
+    // Half the box: strands in the other half and those that cross the middle.
     Eigen::AlignedBox3f half = box;
     half.max().x() = box.center().x();
     EXPECT_GT(strands_outside(curves, half), 20u);
     EXPECT_EQ(strands_outside(curves, Eigen::AlignedBox3f()), 200u);
 }
 
-TEST(ChunkBox, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
+TEST(ChunkBox, TheCheckFindsABoxThatIsTooSmall) {
+    // The boxes are made for shorter strands than the curves have. A straight strand of
+    // length L leaves a box that was made for 0.9 L by 0.1 L; bent ones, and those inside
+    // of the chunk, may stay in it.
+    const MadeHair hair(200, 12, 8, 4, 4, 0.05);
+    const Chunks chunks = chunks_of(hair.binding.roots.positions, 50);
+    const Curves curves = expand(hair.binding, hair.profiles, {});
+    const auto check_at = [&](float share) {
+        Binding shorter = hair.binding;
+        for (float& length : shorter.lengths) length *= share;
+        return check_chunks(shorter, hair.classed(Blend::detail), curves, {}, chunks);
+    };
+    EXPECT_TRUE(check_at(1).pass());
+    EXPECT_GT(check_at(0.9f).outside, 0u);
+    // The reach is longest (1.001 + 13 / 36) all round for 12 intervals: strands of at
+    // least 8 cm leave a reach of at most 16 cm times 0.2 * 1.37.
+    EXPECT_GT(check_at(0.2f).outside_reach, 100u);
+    // Radii too: a box for hair of a tenth of its width.
+    const Curves thick = expand(hair.binding, hair.profiles, {.taper = {0.5f, 0.5f}});
+    const ChunkCheck thin = check_chunks(hair.binding, hair.classed(Blend::detail), thick,
+                                         {.taper = {0.05f, 0.05f}}, chunks);
+    EXPECT_GT(thin.outside, 0u);
+    EXPECT_EQ(thin.outside_reach, 0u);
+}
+
+TEST(ChunkBox, OfTwoTimesHoldsStrandsInterpolatedBetweenThem) {
     const MadeHair hair(300, 12, 9, 4, 4, 0.5);
     // The same guides, turned by half a radian about Y.
     Guides later = hair.standing.guides;
     const Mat3 turn = Eigen::AngleAxisd(0.5, Vec3::UnitY()).toRotationMatrix();
     for (Mat3& frame : later.root_frames) frame = turn * frame;
     const auto profiles = guide_profiles<float>(later, hair.profiles.count);
-    ChunkBox bound = chunk_box(hair.binding, hair.classed(Blend::detail), {});
-    bound.extend(chunk_box(
-        hair.binding, one_class(profiles, hair.standing.normals, Blend::detail), {}));
-    const Eigen::AlignedBox3d box = bound.box().cast<double>();
+    ChunkBox both = chunk_box(hair.binding, hair.classed(Blend::detail), {});
+    both.extend(chunk_box(hair.binding,
+                          test::one_class(profiles, hair.standing.normals, Blend::detail),
+                          {}));
+    const Eigen::AlignedBox3d box = both.box().cast<double>();
     const Curves a = expand(hair.binding, hair.profiles, {});
     const Curves b = expand(hair.binding, profiles, {});
     for (std::size_t i = 0; i < a.strands; ++i) {
@@ -237,22 +270,35 @@ TEST(ChunkBox, OfTwoTimesHoldsWhatGoesStraightBetweenThem) {
             }
         }
     }
-    // And the first time alone does not hold the second: the test can fail.
+    // The box of the first time does not contain the second.
     const Eigen::AlignedBox3f first =
         chunk_box(hair.binding, hair.classed(Blend::detail), {}).box();
-    EXPECT_FALSE(first.contains(bounds(b)));
+    EXPECT_FALSE(first.contains(test::box_of(b)));
 }
 
-TEST(ChunkBox, ReachHoldsEveryBlendOfTheChunk) {
+/// The reach of a chunk, by the longest guide.
+ChunkBox reach_of(const ChunkedGroom& groom, std::size_t chunk) {
+    Eigen::AlignedBox3f roots;
+    for (const std::uint32_t i : groom.chunks.of(chunk)) {
+        roots.extend(place_of(groom, i));
+    }
+    const GroomSettings& settings = groom.ready.groom;
+    const float longest = std::ranges::max(groom.ready.profiles.lengths);
+    return reach_box(roots, longest * settings.bind.length_scale,
+                     groom.ready.classes.counts.back(), settings.expand,
+                     settings.density);
+}
+
+TEST(ChunkBox, ReachHoldsTheChunkForEveryBlend) {
     for (const BlendTraits& named : blends()) {
         GroomSettings groom = small_groom();
         groom.expand.blend = named.blend;
-        groom.intervals = 8;  // coarse: control points stray most
+        groom.intervals = 8;  // few, so that control points stray far from places
         groom.density = 0.5;
         const ChunkedGroom chunked = make_chunked_groom(groom, 200);
         for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-            const Eigen::AlignedBox3f reach = reach_of_chunk(chunked, c).box();
-            EXPECT_TRUE(reach.contains(bounds(expand_chunk(chunked, c)))) << named.name;
+            const Eigen::AlignedBox3f reach = reach_of(chunked, c).box();
+            EXPECT_TRUE(reach.contains(test::box_of(expanded(chunked, c)))) << named.name;
             const Binding binding = bind_chunk(chunked, c);
             EXPECT_TRUE(reach.contains(
                 chunk_box(binding, rest_guides(chunked.ready), groom.expand).box()));
@@ -270,10 +316,10 @@ TEST(ChunkBox, OfNoStrandsIsEmpty) {
 TEST(Binding, PickedChildrenKeepTheirBits) {
     const MadeHair hair(100, 8, 4);
     const std::vector<std::uint32_t> which{3, 50, 51, 99};
-    const Binding own = picked(hair.binding, which);
-    EXPECT_EQ(own.roots.ids, which);
+    const Binding few = picked(hair.binding, which);
+    EXPECT_EQ(few.roots.ids, which);
     const Curves all = expand(hair.binding, hair.profiles, {});
-    const Curves some = expand(own, hair.profiles, {});
+    const Curves some = expand(few, hair.profiles, {});
     for (std::size_t i = 0; i < which.size(); ++i) {
         const std::size_t n = all.points_of(0);
         EXPECT_EQ(std::memcmp(&some.points[i * n], &all.points[which[i] * n],

@@ -25,7 +25,7 @@ bool same_bytes(const Curves& a, const Curves& b) {
                                    : same(a.tangents, b.tangents));
 }
 
-TEST(Expand, SameStrandsForAnyThreadCountAndChunkSize) {
+TEST(Expand, SameStrandsForAnyThreadCountAndGrain) {
     const MadeHair hair(300, 12, 1);
     test::on_every_target([&] {
         for (const Blend blend : {Blend::detail, Blend::option1, Blend::position}) {
@@ -35,11 +35,11 @@ TEST(Expand, SameStrandsForAnyThreadCountAndChunkSize) {
                 for (const int threads : {1, 2, 5}) {
                     tbb::global_control control(
                         tbb::global_control::max_allowed_parallelism, threads);
-                    for (const std::uint32_t chunk : {1u, 7u, 256u, 10000u}) {
-                        settings.chunk = chunk;
+                    for (const std::uint32_t grain : {1u, 7u, 256u, 10000u}) {
+                        settings.grain = grain;
                         EXPECT_TRUE(same_bytes(
                             one, expand(hair.binding, hair.profiles, settings)))
-                            << threads << " threads, chunks of " << chunk;
+                            << threads << " threads, grain " << grain;
                     }
                 }
             }
@@ -47,7 +47,7 @@ TEST(Expand, SameStrandsForAnyThreadCountAndChunkSize) {
     });
 }
 
-TEST(Expand, BuffersAreUsedAgain) {
+TEST(Expand, BuffersAreReused) {
     const MadeHair hair(90, 12, 1), other(90, 12, 2), longer(90, 20, 3);
     Curves curves;
     for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
@@ -88,7 +88,7 @@ TEST(Expand, NumbersItsSegments) {
         ASSERT_EQ(curves.segments.size(), 72u);
         for (std::uint32_t i = 0; i < 72; ++i) {
             EXPECT_EQ(curves.segments[i], i / 8 * points + i % 8);
-            EXPECT_EQ(curves.strand_of(i), i / 8);
+            EXPECT_EQ(curves.place_of(i).strand, i / 8);
         }
     }
 }
@@ -114,29 +114,31 @@ TEST(Expand, RadiiTaperEvenlyFromRootToTip) {
         const int before = basis == CurveBasis::bspline ? 1 : 0;
         for (std::uint32_t i = 0; i < 3; ++i) {
             for (std::uint32_t j = 0; j < curves.points_of(0); ++j) {
-                // A B-spline of evenly spaced values is linear: the same radii serve.
-                const std::size_t at = i * curves.points_of(0) + j;
-                EXPECT_NEAR(curves.points[at].w, 0.01 - 0.0008 * (int(j) - before), 2e-9);
+                // A B-spline of evenly spaced values is linear, so radii are those at
+                // places.
+                const std::size_t point = i * curves.points_of(0) + j;
+                EXPECT_NEAR(curves.points[point].w, 0.01 - 0.0008 * (int(j) - before),
+                            2e-9);
                 if (basis == CurveBasis::hermite) {
-                    EXPECT_NEAR(curves.tangents[at].w, -0.0008, 1e-10);
+                    EXPECT_NEAR(curves.tangents[point].w, -0.0008, 1e-10);
                 }
             }
         }
     }
-    // Beyond a tip of no width there is no width either.
+    // Beyond a tip of zero width the radius is not negative.
     const Curves fine = expand(hair.binding, hair.profiles, {.taper = {0.01f, 0}});
     for (const Point4f& p : fine.points.span()) EXPECT_GE(p.w, 0);
 }
 
-/// How far the curve of a guide of one helix lies off it.
+/// The largest distance of the emitted curve of a guide of one helix from the guide, cm.
 double cubic_error(const Guides& guides, std::size_t g, int intervals, CurveBasis basis) {
     return test::cubic_error(guides.curvatures[g], guide_length(guides, g) / intervals,
                              basis);
 }
 
-/// Single precision: a frame is good to 5e-7, so a place to 5e-7 of the way, and numbers
-/// up to 32 cm are rounded by 2e-6.
-double float_bound(double length) { return 5e-7 * length + 4e-6; }
+/// The error of a place in single precision: a frame is accurate to 5e-7, so a place to
+/// 5e-7 of its arc length, and numbers up to 32 cm are rounded by 2e-6.
+double float_error(double length) { return 5e-7 * length + 4e-6; }
 
 TEST(Expand, AChildOfOneGuideIsThatGuide) {
     const int n = 24;
@@ -148,15 +150,15 @@ TEST(Expand, AChildOfOneGuideIsThatGuide) {
         const Curves curves = expand(binding, profiles, {.basis = basis});
         for (std::size_t g = 0; g < 40; ++g) {
             const double length = guide_length(standing.guides, g);
-            const double bound =
-                cubic_error(standing.guides, g, n, basis) + float_bound(length);
+            const double limit =
+                cubic_error(standing.guides, g, n, basis) + float_error(length);
             for (int j = 0; j < n; ++j) {
                 for (const double t : {0.0, 0.3, 0.5, 0.8, 1.0}) {
                     const HelixState<double> exact =
                         state_at(super_helix(standing.guides, g), length * (j + t) / n);
                     const Vec3 off =
                         emitted_strand(curves, g).position(j, t) - exact.position;
-                    EXPECT_LT(off.norm(), bound) << "guide " << g << " at " << j + t;
+                    EXPECT_LT(off.norm(), limit) << "guide " << g << " at " << j + t;
                 }
             }
         }
@@ -170,17 +172,17 @@ TEST(Expand, HermiteAndBsplineAreTheSameStrand) {
     const Curves h = expand(hair.binding, hair.profiles, {.basis = CurveBasis::hermite});
     for (std::size_t i = 0; i < 200; ++i) {
         const std::size_t g = hair.binding.guides[i];
-        // Both lie inwards: they differ by no more than the farther of the two.
-        const double bound =
+        // Both lie on the inner side: they differ by at most the farther of the two.
+        const double limit =
             std::max(cubic_error(hair.standing.guides, g, n, CurveBasis::bspline),
                      cubic_error(hair.standing.guides, g, n, CurveBasis::hermite)) +
-            2 * float_bound(hair.binding.lengths[i]);
+            2 * float_error(hair.binding.lengths[i]);
         for (int j = 0; j < n; ++j) {
             for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
                 EXPECT_LT((emitted_strand(b, i).position(j, t) -
                            emitted_strand(h, i).position(j, t))
                               .norm(),
-                          bound);
+                          limit);
             }
         }
     }
@@ -196,8 +198,8 @@ TEST(Expand, DoubleAndFloatSynthesisAgree) {
             synthesize_child<double>(hair.binding, fine, blend, i, exact);
             synthesize_child<float>(hair.binding, hair.profiles, blend, i, fast);
             const double length = hair.binding.lengths[i];
-            // The blended kappa is a quotient that loses digits where normals oppose: a
-            // hundredth of its weight left costs two of seven digits.
+            // The blended kappa is a quotient that loses digits where normals cancel: if
+            // a hundredth of its weight is left, two of seven digits are lost.
             EXPECT_LT((exact[16].position - fast[16].position.cast<double>()).norm(),
                       1e-4 * length)
                 << "child " << i << ", " << blend_name(blend);
@@ -205,29 +207,12 @@ TEST(Expand, DoubleAndFloatSynthesisAgree) {
     }
 }
 
-TEST(Expand, NothingBoundGivesNothing) {
+TEST(Expand, AnEmptyBindingGivesNoStrands) {
     const auto standing = test::standing_guides(3, 2, 9);
     const Binding binding = bind({}, standing.guides, standing.normals, {});
     const Curves curves = expand(binding, guide_profiles<float>(standing.guides, 4), {});
     EXPECT_EQ(curves.strands, 0u);
     EXPECT_EQ(curves.points.size(), 0u);
-}
-
-TEST(Curves, TheirBoxHoldsThem) {
-    const MadeHair hair(60, 12, 10);
-    for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
-        const Curves curves =
-            expand(hair.binding, hair.profiles, {.basis = basis, .taper = {0.2f, 0.1f}});
-        const Eigen::AlignedBox3f box = bounds(curves);
-        for (std::size_t i = 0; i < 60; ++i) {
-            for (int j = 0; j < 12; ++j) {
-                const double radius = 0.2 - 0.1 * (j + 0.5) / 12;
-                const Vec3f p = emitted_strand(curves, i).position(j, 0.5).cast<float>();
-                const Vec3f r = Vec3f::Constant(float(radius) - 1e-5f);
-                EXPECT_TRUE(box.contains(p - r) && box.contains(p + r));
-            }
-        }
-    }
 }
 
 }  // namespace

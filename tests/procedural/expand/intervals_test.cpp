@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "procedural/check/strand.h"
-#include "procedural/curves/control_points.h"
+#include "procedural/curves/emitted_curve.h"
 #include "tests/procedural/made_hair.h"
 
 namespace lancret {
@@ -11,18 +11,14 @@ namespace {
 
 using test::MadeHair;
 
-/// The farthest that the emitted curve lies from the strand, by brute force: each of many
-/// places on the one against every piece of a fine polyline of the other.
+/// The largest distance of the emitted curve from the strand, cm, by brute force: from
+/// many places of the curve to a fine polyline along the strand.
 double brute_distance(std::span<const HelixState<float>> states, double ds,
                       CurveBasis basis) {
     constexpr int kFine = 32;
     const int n = int(states.size()) - 1;
-    std::vector<Point4f> points(control_points_of(basis, n)), tangents(points.size());
-    if (basis == CurveBasis::hermite) {
-        hermite_points(states, float(ds), Vec3f::Zero(), {}, points, tangents);
-    } else {
-        bspline_points(states, float(ds), Vec3f::Zero(), {}, points);
-    }
+    StrandBuffer curve;
+    emit({.states = states, .ds = float(ds)}, basis, curve);
     std::vector<Vec3> strand;
     for (int j = 0; j < n; ++j) {
         const MeasuredInterval m = measured_interval(states[j], states[j + 1]);
@@ -30,7 +26,7 @@ double brute_distance(std::span<const HelixState<float>> states, double ds,
             strand.push_back(place_on(states[j], m, double(q) / kFine));
         }
     }
-    const EmittedStrand emitted{basis, points, tangents};
+    const EmittedStrand emitted{basis, curve.points, curve.tangents};
     double worst = 0;
     for (int j = 0; j < n; ++j) {
         for (int q = 0; q <= 8; ++q) {
@@ -60,18 +56,19 @@ TEST(EmissionDistance, IsTheBruteForceDistanceUpToItsSampling) {
             const float ds = hair.binding.lengths[i] / float(n);
             const double found = emission_distance(states, ds, basis);
             const double brute = brute_distance(states, ds, basis);
-            // Where the strand is smooth the distance within an interval goes as
-            // t^2 (1 - t)^2: a quarter from the ends, 0.56 of its most.
+            // On a smooth strand the distance within an interval goes as t^2 (1 - t)^2:
+            // at 1/4 it is 0.56 of its maximum.
             EXPECT_GE(found, 0.5 * brute) << i;
-            // What lies across at equal parameter is no nearer than the nearest place but
-            // for curvature, kappa d / 2 of it; and the polyline's own sag.
+            // The distance across the strand at equal parameter exceeds that of the
+            // nearest place by curvature only, kappa d / 2 of it, and by the sag of the
+            // polyline.
             EXPECT_LE(found, 1.3 * brute + 1e-4) << i;
         }
     }
 }
 
 TEST(EmissionDistance, OfACircleIsItsClosedForm) {
-    // t^2 (1 - t)^2 theta^4 R / 24 at t = 3/8 or 1/4, by how many places are looked at.
+    // t^2 (1 - t)^2 theta^4 R / 24 in the middle, where it is largest.
     const double radius = 4, theta = 0.5, ds = radius * theta;
     std::vector<HelixState<float>> states(13);
     for (int i = 0; i <= 12; ++i) {
@@ -79,10 +76,10 @@ TEST(EmissionDistance, OfACircleIsItsClosedForm) {
         advance<double>(state, {0, 0, 1 / radius}, i * ds);
         states[i] = {state.frame.cast<float>(), state.position.cast<float>()};
     }
-    const double most = std::pow(theta, 4) * radius / 384;
+    const double exact = std::pow(theta, 4) * radius / 384;
     const double found = emission_distance(states, float(ds), CurveBasis::hermite);
-    EXPECT_GT(found, 0.5 * most);
-    EXPECT_LT(found, 1.1 * most);
+    EXPECT_GT(found, 0.5 * exact);
+    EXPECT_LT(found, 1.1 * exact);
 }
 
 TEST(EmissionDistance, OfAStraightStrandIsRoundOff) {
@@ -93,6 +90,7 @@ TEST(EmissionDistance, OfAStraightStrandIsRoundOff) {
     }
 }
 
+/// The largest emission_distance of the children, cm.
 double farthest(const MadeHair& hair, int intervals, CurveBasis basis) {
     const auto profiles = guide_profiles<float>(hair.standing.guides, intervals);
     std::vector<HelixState<float>> states(intervals + 1);
@@ -106,17 +104,18 @@ double farthest(const MadeHair& hair, int intervals, CurveBasis basis) {
     return worst;
 }
 
-TEST(IntervalsWithin, KeepItsPromiseWithoutWaste) {
+TEST(IntervalsWithin, KeepTheToleranceWithoutWaste) {
     const MadeHair hair(200, 8, 2, 4, 4, 0.15);
     const Guides& guides = hair.standing.guides;
     for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
         for (const double tolerance : {0.1, 0.03, 0.01}) {
             const int n =
-                intervals_within(hair.binding, guides, Blend::option1, tolerance, basis);
+                intervals_within(hair.binding, guides, Blend::option1, tolerance, basis)
+                    .count;
             EXPECT_EQ(n % guides.segments, 0);
             EXPECT_LE(farthest(hair, n, basis), tolerance);
             if (n > 2 * guides.segments) {
-                // One interval a segment fewer goes beyond what the tolerance leaves.
+                // One interval per segment less exceeds what the sample may use.
                 EXPECT_GT(farthest(hair, n - guides.segments, basis), 0.5 * tolerance);
             }
         }
@@ -128,18 +127,21 @@ TEST(IntervalsWithin, GrowAsTheToleranceShrinks) {
     int before = 0;
     for (const double tolerance : {1.0, 0.1, 0.01, 0.001}) {
         const int n = intervals_within(hair.binding, hair.standing.guides, Blend::option1,
-                                       tolerance, CurveBasis::bspline);
+                                       tolerance, CurveBasis::bspline)
+                          .count;
         EXPECT_GE(n, before);
         before = n;
     }
     EXPECT_GT(before, 8);
 }
 
-TEST(IntervalsWithin, StopAtTheMost) {
+TEST(IntervalsWithin, StopAtTheMaximum) {
     const MadeHair hair(50, 8, 4);
-    EXPECT_EQ(intervals_within(hair.binding, hair.standing.guides, Blend::option1, 1e-9,
-                               CurveBasis::bspline, 24),
-              24);
+    const FoundIntervals found =
+        intervals_within(hair.binding, hair.standing.guides, Blend::option1, 1e-9,
+                         CurveBasis::bspline, 24);
+    EXPECT_EQ(found.count, 24);
+    EXPECT_EQ(found.distance, farthest(hair, 24, CurveBasis::bspline));
 }
 
 TEST(IntervalsWithin, NoIntervalTurnsByMoreThanTwoRadians) {
@@ -147,8 +149,9 @@ TEST(IntervalsWithin, NoIntervalTurnsByMoreThanTwoRadians) {
     test::add_guide(guides, {Vec3(0, 0, 1), Vec3(0, 0, 0.1)}, 10);  // 5 radians, then 0.5
     const std::vector<Vec3f> normals = {Vec3f::UnitZ()};
     const Binding binding = bind(test::plane_roots(5, 5), guides, normals, {});
-    EXPECT_EQ(intervals_within(binding, guides, Blend::option1, 100, CurveBasis::bspline),
-              6);
+    EXPECT_EQ(
+        intervals_within(binding, guides, Blend::option1, 100, CurveBasis::bspline).count,
+        6);
 }
 
 }  // namespace

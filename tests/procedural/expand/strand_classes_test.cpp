@@ -1,4 +1,4 @@
-// Strands cut as finely as their guides' children need.
+// Interval counts adapted to the children of each guide.
 
 #include "procedural/expand/strand_classes.h"
 
@@ -17,7 +17,8 @@
 namespace lancret {
 namespace {
 
-/// Guides on the square [0, 10]^2: straight for x < 5, helices of 1 cm wavelength beyond.
+/// Guides on the square [0, 10]^2: straight for x < 5, helices of 1 cm wavelength for x
+/// > 5.
 test::StandingGuides half_curled() {
     test::StandingGuides out;
     for (int i = 0; i < 36; ++i) {
@@ -44,7 +45,7 @@ struct HalfCurled {
     ClassedGuides guides =
         classed_guides(standing.guides, classes, standing.normals, settings.blend);
 
-    explicit HalfCurled(const ExpandSettings& own = {}) : settings(own) {}
+    explicit HalfCurled(const ExpandSettings& expand = {}) : settings(expand) {}
 
     StrandClasses chosen(const Binding& sample) const {
         StrandClasses all = coarsest_classes(standing.guides, kFinest);
@@ -70,8 +71,9 @@ TEST(StrandClasses, StraightStrandsDoNotPayForCurls) {
     std::size_t straight = 0;
     for (std::size_t i = 0; i < hair.binding.size(); ++i) {
         const float x = hair.binding.roots.positions[i].x();
-        // A column of guides and more away from the border, all guides are alike. Curls
-        // of 35 radians and more cannot be drawn in intervals of half a turn.
+        // At least a column of guides away from the border, all guides are alike. Curls
+        // of at least 35 radians need more than 11 intervals, at less than half a turn
+        // each.
         EXPECT_TRUE(x > 2 || hair.count_of(i) == 1) << i;
         EXPECT_TRUE(x < 8 || hair.count_of(i) > 11) << i;
         straight += hair.count_of(i) == 1;
@@ -81,7 +83,7 @@ TEST(StrandClasses, StraightStrandsDoNotPayForCurls) {
     EXPECT_LT(double(curves.points.size()), 0.75 * double(hair.binding.size() * 67));
 }
 
-TEST(StrandClasses, KeepTheToleranceOfAllThatWereMeasured) {
+TEST(StrandClasses, KeepTheToleranceOfMeasuredChildren) {
     for (const Blend blend : {Blend::detail, Blend::option1, Blend::nearest}) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
             const HalfCurled hair({.blend = blend, .basis = basis});
@@ -107,7 +109,7 @@ TEST(StrandClasses, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(alone.of_guide, hair.classes.of_guide);
 }
 
-TEST(StrandClasses, OfAGuideThatLeadsNobodyAreThoseOfItsImage) {
+TEST(StrandClasses, OfAGuideThatLeadsNoChildAreThoseOfItsCopy) {
     const HalfCurled hair;
     const StrandClasses found = hair.chosen(picked(hair.unsorted, {}));
     for (std::size_t g = 0; g < hair.standing.guides.size(); ++g) {
@@ -116,7 +118,7 @@ TEST(StrandClasses, OfAGuideThatLeadsNobodyAreThoseOfItsImage) {
     }
 }
 
-TEST(StrandClasses, ATimeAtWhichTheyCurlMakesThemFiner) {
+TEST(StrandClasses, AreFinerForATimeAtWhichTheyCurl) {
     const HalfCurled hair;
     Guides curled = hair.standing.guides;
     for (Vec3& u : curled.curvatures) u = Vec3(3, 0, 4);
@@ -130,10 +132,10 @@ TEST(StrandClasses, ATimeAtWhichTheyCurlMakesThemFiner) {
     }
 }
 
-TEST(StrandClasses, AStrandHasTheBitsThatItHasAmongItsLike) {
+TEST(StrandClasses, AStrandHasTheBitsOfOneClass) {
     for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
-        for (const std::uint32_t chunk : {256u, 7u}) {
-            const HalfCurled hair({.basis = basis, .chunk = chunk});
+        for (const std::uint32_t grain : {256u, 7u}) {
+            const HalfCurled hair({.basis = basis, .grain = grain});
             const Curves curves = expand(hair.binding, hair.guides, hair.settings);
             ASSERT_EQ(curves.strands, 800u);
             ASSERT_GT(curves.classes.size(), 2u);
@@ -145,22 +147,22 @@ TEST(StrandClasses, AStrandHasTheBitsThatItHasAmongItsLike) {
             for (std::uint32_t i = 0; i < curves.strands; ++i) {
                 const std::uint32_t id = curves.id_of(i);
                 ++seen[id];
-                const Curves& own = alike[hair.classes.of(hair.binding, i)];
+                const Curves& expected = alike[hair.classes.of(hair.binding, i)];
                 const auto same = [&](const auto& buffer, const auto& other) {
                     const auto a = curves.of_strand(buffer, i),
-                               b = own.of_strand(other, id);
+                               b = expected.of_strand(other, id);
                     return a.size() == b.size() &&
                            std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
                 };
-                ASSERT_TRUE(same(curves.points, own.points)) << i;
-                ASSERT_TRUE(same(curves.tangents, own.tangents)) << i;
+                ASSERT_TRUE(same(curves.points, expected.points)) << i;
+                ASSERT_TRUE(same(curves.tangents, expected.tangents)) << i;
             }
             EXPECT_TRUE(std::ranges::all_of(seen, [](int n) { return n == 1; }));
         }
     }
 }
 
-TEST(StrandClasses, SegmentsAreWhereCountingFindsThem) {
+TEST(StrandClasses, SegmentsAreNumberedConsecutively) {
     const HalfCurled hair;
     const Curves curves = expand(hair.binding, hair.guides, {});
     std::uint32_t segment = 0, point = 0;
@@ -170,7 +172,7 @@ TEST(StrandClasses, SegmentsAreWhereCountingFindsThem) {
         ASSERT_EQ(curves.points_of(i), n + 3);
         for (std::uint32_t j = 0; j < n; ++j, ++segment) {
             const SegmentPlace place = curves.place_of(segment);
-            ASSERT_EQ(curves.strand_of(segment), i);
+            ASSERT_EQ(place.strand, i);
             ASSERT_EQ(place.in_strand, j);
             ASSERT_EQ(place.of, n);
             ASSERT_EQ(place.point, point + j);
@@ -182,13 +184,13 @@ TEST(StrandClasses, SegmentsAreWhereCountingFindsThem) {
     EXPECT_EQ(curves.points.size(), point);
 }
 
-TEST(StrandClasses, ChildrenInAnotherOrderAreRefused) {
+TEST(StrandClasses, ChildrenInAnotherOrderThrow) {
     const HalfCurled hair;
     EXPECT_THROW(expand(hair.unsorted, hair.guides, {}), std::invalid_argument);
     EXPECT_THROW(Curves().add_class(1u << 30, 4), std::invalid_argument);
 }
 
-TEST(StrandClasses, WrittenStrandsStandInTheOrderOfTheirIds) {
+TEST(StrandClasses, ExportedStrandsAreOrderedById) {
     const HalfCurled hair;
     const Strands strands = child_strands(hair.binding, hair.guides, {});
     ASSERT_EQ(strands.size(), 800u);
@@ -221,7 +223,7 @@ TEST(StrandClasses, AreTheSameInEveryChunkAndAtEveryDensity) {
     EXPECT_EQ(chunked.ready.classes.counts, whole.classes.counts);
 }
 
-TEST(StrandClasses, AreOneWhereAGroomSaysHowManyIntervalsOrHasFaces) {
+TEST(StrandClasses, AreOneIfAGroomFixesIntervalsOrHasFaces) {
     GroomSettings fixed = small_groom(), alike = fixed, faces = fixed;
     fixed.intervals = 9;
     alike.adapt = false;

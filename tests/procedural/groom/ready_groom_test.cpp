@@ -9,6 +9,7 @@
 #include "guides/files/hair_file.h"
 #include "procedural/check/check.h"
 #include "tests/guides/base/temporary_folder.h"
+#include "tests/procedural/made_hair.h"
 
 namespace lancret {
 namespace {
@@ -33,9 +34,9 @@ CheckReport check_of(const ReadyGroom& ready, Blend blend) {
     CheckTolerances tolerances;
     tolerances.distance = ready.groom.tolerance;
     const ClassedGuides alike =
-        one_class(ready.profiles, ready.binding.guide_normals, blend);
-    return check(ready.binding, ready.placed.guides, alike, curves, blend,
-                 ready.groom.bind.length_scale, tolerances);
+        test::one_class(ready.profiles, ready.binding.guide_normals, blend);
+    return check_strands({ready.binding, ready.placed.guides, alike, curves, settings,
+                          ready.groom.bind.length_scale, tolerances});
 }
 
 double median(std::vector<double> values) {
