@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cstring>
@@ -131,19 +130,6 @@ ChunkCheck check_chunks(const Binding& binding, const ClassedGuides& guides,
     }
     out.mean_ratio = chunks.size() > 0 ? box_volume / strands_volume : 1;
     return out;
-}
-
-std::size_t strands_outside(const Curves& curves, const Eigen::AlignedBox3f& box) {
-    const Eigen::AlignedBox3d bounds = box.cast<double>();
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, curves.strands), std::size_t(0),
-        [&](const tbb::blocked_range<std::size_t>& range, std::size_t outside) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                outside += !bounds.contains(seen_box(emitted_strand(curves, i)));
-            }
-            return outside;
-        },
-        std::plus<>());
 }
 
 ChunkCheck worst_of(const ChunkCheck& a, const ChunkCheck& b) {
