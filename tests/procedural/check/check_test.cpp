@@ -129,8 +129,7 @@ TEST_F(Check, FindsATipOutOfReach) {
         emitted_strand(curves, kStrand).position(31, 1).cast<float>() - root;
     const float reach = hair.binding.lengths[kStrand] + 0.001f;
     const auto move_tip_to = [&](float distance) {
-        move(curves.points_of(0) - 3, 3,
-             ((distance / chord.norm() - 1) * chord).cast<double>());
+        move(curves.points_of(0) - 3, 3, (distance / chord.norm() - 1) * chord);
     };
     const std::vector<Point4f> before(points().begin(), points().end());
     move_tip_to(0.9999f * reach);
