@@ -51,7 +51,7 @@ BareEmbree::BareEmbree(const Curves& curves, const TriangleMesh& mesh, int tesse
 BareEmbree::~BareEmbree() = default;
 
 std::size_t BareEmbree::trace(std::span<const TracedRay> rays) const {
-    std::size_t met = 0;
+    std::size_t hits = 0;
     for (const TracedRay& traced : rays) {
         const Ray& from = traced.ray;
         RTCRayHit hit;
@@ -74,9 +74,9 @@ std::size_t BareEmbree::trace(std::span<const TracedRay> rays) const {
         else
             rtcIntersect1(impl_->scene, &context, &hit);
 #endif
-        met += traced.shadow ? r.tfar < 0 : hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+        hits += traced.shadow ? r.tfar < 0 : hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     }
-    return met;
+    return hits;
 }
 
 }  // namespace lancret::bench

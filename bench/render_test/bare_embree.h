@@ -1,5 +1,5 @@
 #pragma once
-// Embree alone, with nothing of ours about it: what the path tracer is held against.
+// Embree without Lancret: the reference for the speed of the path tracer.
 
 #include <memory>
 #include <span>
@@ -10,11 +10,12 @@
 
 namespace lancret::bench {
 
+/// Strands and a mesh in an Embree scene. The curves must outlive it.
 class BareEmbree {
   public:
     BareEmbree(const Curves& curves, const TriangleMesh& mesh, int tessellation);
     ~BareEmbree();
-    /// Traces all rays on this thread, in their order; gives how many met something.
+    /// Traces all rays in order on this thread. Returns the number of hits.
     std::size_t trace(std::span<const TracedRay> rays) const;
 
   private:

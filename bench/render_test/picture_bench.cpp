@@ -1,5 +1,5 @@
-// lancret_picture_bench: from strands in memory to a picture, what it costs and how much
-// noise is left. A program of its own, for it needs a reference picture.
+// lancret_picture_bench: cost and noise of a picture, from strands in memory. A separate
+// program, because it needs a reference picture.
 
 #include <sys/resource.h>
 #include <tbb/global_control.h>
@@ -35,7 +35,7 @@ double user_seconds() {
     return double(usage.ru_utime.tv_sec) + 1e-6 * double(usage.ru_utime.tv_usec);
 }
 
-/// Of this process, bytes: "VmRSS" now, "VmHWM" the most so far.
+/// Memory of this process, bytes: "VmRSS" now, "VmHWM" at peak.
 double memory(const std::string& field) {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
@@ -43,8 +43,8 @@ double memory(const std::string& field) {
     return 0;
 }
 
-/// Squares of 16 x 16 pixels, one in every 8 x 4 of them, as a render visits them: what
-/// noise and rays are measured on.
+/// Pixels on which noise and rays are measured: a grid of 8 x 4 squares of 16 x 16
+/// pixels, in the order of a render.
 std::vector<Eigen::Vector2i> measured_pixels() {
     std::vector<Eigen::Vector2i> pixels;
     for (int tile = 0; tile < 32; ++tile)
@@ -59,7 +59,7 @@ struct Traced {
     std::uint64_t rays = 0;
 };
 
-/// A pixel as `render` makes it.
+/// Traces a pixel as `render` does.
 Traced trace_pixel(const SphereScene& made, const RenderSettings& settings,
                    const Eigen::Vector2i& pixel) {
     Traced out;
@@ -78,8 +78,8 @@ Traced trace_pixel(const SphereScene& made, const RenderSettings& settings,
     return out;
 }
 
-/// Luminance and coverage of the measured pixels at many samples, without
-/// regularisation; from the file where it is there.
+/// Luminance and coverage of the measured pixels at many samples, without regularisation;
+/// read from the reference file if it exists, else written to it.
 std::vector<Eigen::Vector2f> reference_of(SphereScene& made, const Options& options) {
     made.scene.later_hair.reset();
     const auto pixels = measured_pixels();
@@ -100,23 +100,23 @@ std::vector<Eigen::Vector2f> reference_of(SphereScene& made, const Options& opti
     return out;
 }
 
-/// Noise: the root of the mean square of the luminance's error, over the mean luminance,
-/// of the pixels that the reference has covered by half or more.
+/// Prints the noise: root mean square error of luminance over mean luminance, for pixels
+/// at least half covered in the reference.
 void print_noise(const std::vector<Eigen::Vector2f>& reference,
                  const std::vector<Eigen::Vector4f>& rgba, double seconds) {
     double squares = 0, sum = 0, mean = 0, count = 0;
     for (std::size_t i = 0; i < rgba.size(); ++i) {
         if (reference[i].y() < 0.5f) continue;
-        const double got = luminance(rgba[i].head<3>()), right = reference[i].x();
-        squares += (got - right) * (got - right);
-        sum += got, mean += right, count += 1;
+        const double measured = luminance(rgba[i].head<3>()), truth = reference[i].x();
+        squares += (measured - truth) * (measured - truth);
+        sum += measured, mean += truth, count += 1;
     }
     const double noise = std::sqrt(squares / count) / (mean / count);
     std::printf("noise %.4f, brightness %+.2f %%; noise^2 x CPU seconds %.4f\n", noise,
                 100 * (sum / mean - 1), noise * noise * seconds);
 }
 
-/// On one thread: noise, and how much of the time is Embree's.
+/// Measures on one thread: noise, and the speed relative to bare Embree.
 void measure(SphereScene& made, const Options& options) {
     const auto pixels = measured_pixels();
     std::vector<Traced> traced(pixels.size());
@@ -132,22 +132,22 @@ void measure(SphereScene& made, const Options& options) {
     trace();
     settings.path.record = nullptr;
     const BareEmbree bare(made.curves, made.mesh, options.tessellation);
-    double ours = 0, alone = 0;
-    std::size_t met = 0;
+    double path_tracer = 0, embree = 0;
+    std::size_t hits = 0;
     for (int pass = 0; pass < 2; ++pass) {
         double start = user_seconds();
         trace();
-        ours += user_seconds() - start;
+        path_tracer += user_seconds() - start;
         start = user_seconds();
-        met = bare.trace(rays);
-        alone += user_seconds() - start;
+        hits = bare.trace(rays);
+        embree += user_seconds() - start;
     }
     const double count = 2e-6 * double(rays.size());
     std::printf(
-        "one thread, %.3f M rays, %.0f %% meet something: %.3f M rays/s of CPU time, "
+        "one thread, %.3f M rays, %.0f %% hit something: %.3f M rays/s of CPU time, "
         "bare Embree %.3f, ratio %.3f\n",
-        1e-6 * double(rays.size()), 100.0 * double(met) / double(rays.size()),
-        count / ours, count / alone, alone / ours);
+        1e-6 * double(rays.size()), 100.0 * double(hits) / double(rays.size()),
+        count / path_tracer, count / embree, embree / path_tracer);
     if (options.reference.empty()) return;
     settings.samples = options.render.samples;
     const double start = user_seconds();
@@ -158,7 +158,7 @@ void measure(SphereScene& made, const Options& options) {
     print_noise(reference_of(made, options), rgba, seconds);
 }
 
-/// What is known when the scene is built.
+/// Cost of building the scene.
 struct Start {
     double seconds, user, memory;
 };
@@ -174,8 +174,9 @@ void render_all(SphereScene& made, const Options& options, const Start& start) {
     std::printf(
         "scene %s, %d threads, %.2f samples: total %.2f s, BVH %.2f s (%.0f MB), render "
         "%.2f s; user BVH %.2f s, render %.2f s\n"
-        "%.2f M rays, %.1f a path, %.2f M rays/s of wall, %.3f M a second of CPU; memory "
-        "at most %.0f MB above start\n",
+        "%.2f M rays, %.1f per path, %.2f M rays/s of wall time, %.3f M of CPU time; "
+        "peak "
+        "memory %.0f MB above start\n",
         options.scene.c_str(), options.threads, double(paths) / (512.0 * 512.0),
         start.seconds + seconds, start.seconds,
         double(made.scene.geometry->bvh_bytes()) / 1e6, seconds, start.user, user,
@@ -226,19 +227,22 @@ int main(int count, char** arguments) {
     app.add_option("--scene", options.scene, "A or B");
     app.add_option("--threads", options.threads);
     app.add_option("--samples", options.render.samples);
-    app.add_option("--depth", options.render.path.max_depth, "scatterings, at most");
+    app.add_option("--depth", options.render.path.max_depth,
+                   "maximum number of scatterings");
     app.add_option("--roulette", options.render.path.roulette_depth);
     app.add_option("--tessellation", options.tessellation);
     app.add_option("--eumelanin", options.eumelanin);
     app.add_option("--regularisation", options.regularisation,
-                   "roughness from the second vertex on, at least; 0: off");
-    app.add_option("--noise", options.render.noise,
-                   "of the whole picture, with at most --samples; 0: all have them");
+                   "minimum roughness from the second vertex on; 0: off");
+    app.add_option(
+        "--noise", options.render.noise,
+        "target noise of the picture, with at most --samples; 0: --samples everywhere");
     app.add_option("--lobes", options.lobes, "near, far or auto");
     app.add_option("--seed", options.render.seed);
     app.add_option("--reference", options.reference,
-                   "file of a reference; made where it is not there");
-    app.add_flag("--tiles", options.tiles, "measure noise and rays alone");
+                   "reference file; created if missing");
+    app.add_flag("--tiles", options.tiles,
+                 "measure noise and rays only, without the whole picture");
     app.add_option("--reference-samples", options.reference_samples);
     app.add_option("--picture", options.picture, ".png or .exr");
     CLI11_PARSE(app, count, arguments);

@@ -1,4 +1,4 @@
-// The made groom in Embree: building, camera rays, a small picture.
+// The made groom in Embree: build, camera rays, a small picture.
 
 #include <benchmark/benchmark.h>
 #include <oneapi/tbb/parallel_reduce.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kChildren = 20'000;
 
-/// The groom as control points with the head it grows on.
+/// The control points of the groom, and its head.
 struct MadeScene {
     Curves curves;
     Camera camera;

@@ -20,10 +20,10 @@ struct Size {
 Size size_of(const std::string& name) {
     if (name == "A") return {10'000, 33, 0.3f};
     if (name == "B") return {100'000, 17, 0.1f};
-    throw std::invalid_argument("the scenes are A and B");
+    throw std::invalid_argument("unknown scene, expected A or B");
 }
 
-/// A strand's axis at s in [0, 1]: out of the sphere, bent down, wound about itself.
+/// A strand's axis at s in [0, 1]: out of the sphere, bent down, curled.
 Vec3f place(const Vec3f& normal, float phase, float length, float s) {
     const Vec3f side = normal.unitOrthogonal(), other = normal.cross(side);
     Vec3f p = normal * (kSphere + length * (s - 0.45f * s * s));
@@ -31,8 +31,8 @@ Vec3f place(const Vec3f& normal, float phase, float length, float s) {
     const float angle = phase + 2 * kPif * kTurns * s,
                 wide = kCurl * std::min(1.0f, 4 * s);
     p += wide * (side * std::cos(angle) + other * std::sin(angle));
-    const float least = kSphere + 0.3f * std::min(1.0f, 4 * s);
-    return p.norm() < least ? Vec3f(p * (least / p.norm())) : p;
+    const float min_distance = kSphere + 0.3f * std::min(1.0f, 4 * s);
+    return p.norm() < min_distance ? Vec3f(p * (min_distance / p.norm())) : p;
 }
 
 Curves curly_strands(const Size& size, float radius) {
@@ -46,7 +46,7 @@ Curves curly_strands(const Size& size, float radius) {
     for (std::uint32_t i = 0; i < size.strands; ++i) {
         const float y = 1 - 2 * (float(i) + 0.5f) / float(size.strands);
         const float r = std::sqrt(1 - y * y);
-        // The angle of the golden spiral, its whole turns left out while it is exact.
+        // The angle of the golden spiral, reduced in double precision.
         const float turn = float(std::fmod(double(golden) * i, 2 * M_PI));
         const Vec3f normal(r * std::cos(turn), y, r * std::sin(turn));
         const float phase = 2 * kPif * unit_float(std::uint32_t(mix(i, 1)));
@@ -88,7 +88,7 @@ TriangleMesh sphere(int around, int down) {
 SphereScene sphere_scene(const std::string& name) {
     const Size size = size_of(name);
     SphereScene out;
-    // The ball of hair, 15 cm at most, fills the picture's height.
+    // The ball of hair, of radius at most 15 cm, fills the picture's height.
     constexpr float kAcross = 2 * 15.0f;
     out.camera = look_at(Vec3f(0, 0, 80), Vec3f(0, -1, 0), Vec3f::UnitY(),
                          2 * std::atan(kAcross / 2 / 80), 1);

@@ -1,6 +1,6 @@
 #pragma once
-// The scenes by which the renderer's speed is told: curly strands on a sphere under sun
-// and sky.
+// The scenes that measure the renderer's speed: curly strands on a sphere under sun and
+// sky.
 
 #include <string>
 
@@ -13,14 +13,14 @@ namespace lancret::bench {
 
 struct SphereScene {
     Curves curves;      ///< B-splines, flat
-    TriangleMesh mesh;  ///< the sphere they stand on
+    TriangleMesh mesh;  ///< the sphere under them
     Camera camera;
-    RenderScene scene;  ///< its geometry is for the caller to build
+    RenderScene scene;  ///< without geometry, which the caller builds
 };
 
-/// "A": 10,000 strands of 33 points, 0.3 pixel wide in a picture of 512 x 512; "B":
-/// 100,000 of 17, 0.1 pixel wide. Strands are 7 cm on a sphere of 9 cm and curl twice.
-/// Throws std::invalid_argument for any other name.
+/// "A": 10,000 strands of 33 points, 0.3 pixel wide in a picture of 512 x 512. "B":
+/// 100,000 strands of 17 points, 0.1 pixel wide. Strands are 7 cm long, curl twice and
+/// stand on a sphere of radius 9 cm. Throws std::invalid_argument for any other name.
 SphereScene sphere_scene(const std::string& name);
 
 }  // namespace lancret::bench
