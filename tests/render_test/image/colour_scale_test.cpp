@@ -7,7 +7,7 @@
 namespace lancret {
 namespace {
 
-/// OKLab's lightness of a linear colour, by the formula the other way round.
+/// OKLab's lightness of a linear colour, by the inverse formula.
 float lightness(const Vec3f& c) {
     const float l = 0.4122214708f * c.x() + 0.5363325363f * c.y() + 0.0514459929f * c.z();
     const float m = 0.2119034982f * c.x() + 0.6806995451f * c.y() + 0.1073969566f * c.z();
@@ -16,8 +16,8 @@ float lightness(const Vec3f& c) {
            0.0040720468f * std::cbrt(s);
 }
 
-// Matrices of ten digits in single precision: 1e-5. A colour out of the gamut would be
-// cut and its lightness be another by far more.
+// Matrices of ten digits in single precision: 1e-5. A colour outside the gamut would be
+// clamped, and its lightness differ by far more.
 constexpr float kTolerance = 1e-5f;
 
 TEST(ColourScale, LightnessIsInProportionToTheValue) {
@@ -40,7 +40,7 @@ TEST(ColourScale, BothSidesOfZeroAreAsDark) {
     EXPECT_GT(diverging_colour(-1).z(), 3 * diverging_colour(-1).x());
 }
 
-TEST(ColourScale, BeyondTheEndsIsTheEnd) {
+TEST(ColourScale, ValuesBeyondTheEndsAreClamped) {
     EXPECT_EQ(sequential_colour(-3), sequential_colour(0));
     EXPECT_EQ(sequential_colour(1e30f), sequential_colour(1));
     EXPECT_EQ(diverging_colour(-7), diverging_colour(-1));
@@ -48,7 +48,7 @@ TEST(ColourScale, BeyondTheEndsIsTheEnd) {
 
 TEST(ColourScale, CategoriesNearInNumberAreFarInColour) {
     for (std::uint32_t a = 0; a < 60; ++a) {
-        // Of three lightnesses none is cut at the gamut's edge.
+        // None of the three lightnesses is clamped at the gamut's edge.
         EXPECT_NEAR(lightness(category_colour(a)),
                     a % 3 == 0   ? 0.7f
                     : a % 3 == 1 ? 0.58f

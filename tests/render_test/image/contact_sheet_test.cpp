@@ -41,7 +41,8 @@ TEST(ContactSheet, EachPictureStandsInItsPlaceOverTheBackground) {
              {std::pair{0, 0}, {sheet.tile_width - 1, sheet.tile_height - 1}}) {
             const auto& pixel =
                 sheet.image.rgba[std::size_t(y + dy) * sheet.image.width + x + dx];
-            // Half of the background shows; weights of a mean add up to 1 to round-off.
+            // Half of the background shows; the weights of a mean sum to 1 up to
+            // round-off.
             EXPECT_NEAR(pixel.x(), 0.1f * float(i) + 0.25f, 1e-5f) << i;
             EXPECT_NEAR(pixel.y(), 0.25f, 1e-5f) << i;
             EXPECT_EQ(pixel.w(), 1) << i;

@@ -1,4 +1,4 @@
-// Deep pictures, read back from their file and composited as others would.
+// Deep images, read back from their file and composited as by other software.
 
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>
@@ -28,7 +28,7 @@ struct Ball {
     HairScene geometry{curves, &mesh};
     RenderScene scene;
     Camera camera = framed(geometry.bounds(), {});
-    /// A depth within the groom, before the ball.
+    /// A depth within the groom, in front of the ball.
     float cut = camera.focus_distance - 10;
     RenderSettings settings;
 
@@ -38,7 +38,7 @@ struct Ball {
         settings.width = 40, settings.height = 31, settings.samples = 16;
         settings.channels.deep = true;
     }
-    /// Strands a third as wide as they are drawn, which cover by a third.
+    /// Strands a third as wide as drawn, which cover by a third.
     void thin() {
         true_radii.assign(curves.points.size(), 0.01f);
         geometry = HairScene(curves, &mesh, {.true_radii = true_radii});
@@ -59,7 +59,7 @@ fs::path written(const Image& image) {
     return path;
 }
 
-/// The samples of every pixel of a file, near to far, and whether ZBack is Z.
+/// The samples of every pixel of a file, near to far; checks that ZBack equals Z.
 std::vector<std::vector<DeepPoint>> read_deep(const fs::path& path) {
     Imf::DeepScanLineInputFile file(path.c_str());
     const auto& box = file.header().dataWindow();
@@ -102,9 +102,9 @@ std::vector<std::vector<DeepPoint>> read_deep(const fs::path& path) {
     return out;
 }
 
-/// Each sample's light is rounded to half precision, 2^-11 of it at most, and so is its
-/// coverage, by as much of what it is; below the normal halves the step is 2^-25. What a
-/// rounded coverage leaves to those behind is taken into account when they are rounded.
+/// The light of each sample is rounded to half precision, by at most 2^-11 of it, and so
+/// is its coverage; below the normal halves the step is 2^-25. The rounded coverage is
+/// taken into account when samples behind are rounded.
 float half_bound(float value, std::size_t samples) {
     return value * 0x1p-11f * 1.01f + float(samples) * 0x1p-25f + 1e-6f;
 }
@@ -124,7 +124,7 @@ void expect_flat(const Image& image, std::size_t least_of_most) {
 
 TEST(ImageDeep, FlattensToThePicture) { expect_flat(Ball().image(), 5); }
 
-TEST(ImageDeep, FlattensToThePictureOfStrandsThatCoverInPart) {
+TEST(ImageDeep, FlattensToThePictureOfThinStrands) {
     Ball ball;
     ball.thin();
     const Image image = ball.image();
@@ -163,7 +163,7 @@ TEST(ImageDeep, TwoHalvesAtADepthComposeToTheWhole) {
     EXPECT_GT(parted, 50);
 }
 
-TEST(ImageDeep, WhatIsBeforeACardCoversAsMuchAsItsSamplesDid) {
+TEST(ImageDeep, PointsInFrontOfACardKeepTheirCoverage) {
     const Ball ball;
     const Image image = ball.image();
     const auto deep = read_deep(written(image));
@@ -196,7 +196,7 @@ TEST(ImageDeep, SameBitsForAnyNumberOfThreads) {
     }
 }
 
-TEST(Deep, SamplesOfOneStrandAreJoinedAcrossSmallGapsAlone) {
+TEST(Deep, SamplesOfOneStrandAreJoinedOnlyAcrossSmallGaps) {
     std::vector<DeepSample> samples{{5, 10.3f, 0.25f, Vec3f(1, 0, 0)},
                                     {5, 10.0f, 0.25f, Vec3f(2, 0, 0)},
                                     {6, 10.1f, 0.25f, Vec3f(4, 0, 0)},
@@ -211,7 +211,7 @@ TEST(Deep, SamplesOfOneStrandAreJoinedAcrossSmallGapsAlone) {
 }
 
 TEST(Deep, ABrightSampleBehindAnAlmostFullPixelIsNotLost) {
-    // What is left of the front's coverage is less than a step of half precision.
+    // The remainder of the front's coverage is less than a step of half precision.
     const std::vector<DeepSample> samples{{1, 5, 0.9999f, Vec3f(1, 1, 1)},
                                           {2, 9, 0.0001f, Vec3f(5, 5, 5)}};
     std::vector<DeepPoint> points;

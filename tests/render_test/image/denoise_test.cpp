@@ -34,7 +34,7 @@ double light(const Image& image) {
     return sum;
 }
 
-TEST(Denoise, LessensTheErrorOfAFewSamplesAndKeepsTheLight) {
+TEST(Denoise, ReducesTheErrorOfAFewSamplesAndKeepsTheLight) {
     Ball ball;
     const Image reference = ball.image(256, 1000);
     double noisy = 0, cleaned = 0, before = 0, after = 0;
@@ -49,15 +49,15 @@ TEST(Denoise, LessensTheErrorOfAFewSamplesAndKeepsTheLight) {
     RecordProperty("noisy", std::to_string(noisy));
     RecordProperty("cleaned", std::to_string(cleaned));
     RecordProperty("light", std::to_string(after / before));
-    // Both the filter's errors and its gain are means over 3 x 2304 pixels: chance moves
-    // their ratio by a few hundredths.
+    // Errors of the filter and its gain are means over 3 x 2304 pixels: their ratio
+    // varies randomly by a few hundredths.
     EXPECT_LT(cleaned, 0.5 * noisy);
     EXPECT_NEAR(after / before, 1, 0.01);
 }
 
-TEST(Denoise, LeavesManySamplesNearlyAsTheyAre) {
-    // With little noise there is little to take away: the error that the filter brings in
-    // is at most that of the noise it is told of.
+TEST(Denoise, AlmostKeepsPicturesOfManySamples) {
+    // Little noise leaves little to remove: the error added by the filter is at most that
+    // of the given noise.
     Ball ball;
     Image image = ball.image(128, 0);
     const Image before = image;
@@ -69,7 +69,7 @@ TEST(Denoise, LeavesManySamplesNearlyAsTheyAre) {
     EXPECT_GT(change, 0);
 }
 
-/// A picture whose colour is a linear function of its guides, everywhere covered.
+/// A fully covered picture whose colour is a linear function of its guides.
 Image linear_picture() {
     Image image(50, 40);
     image.variance.resize(image.rgba.size(), Eigen::Vector4f::Constant(1));
@@ -90,9 +90,10 @@ TEST(Denoise, KeepsWhatTheGuidesExplain) {
     Image image = linear_picture();
     const Image before = image;
     denoise(image, {.ridge = 1e-6f});
-    // All is told to be noise, so nothing is put back; least squares find the function
-    // but for the ridge, 1e-6 of slopes whose guides have a spread of some hundredths
-    // in a window, and for single precision times their condition of as much.
+    // Everything is declared noise, so nothing is added back. Least squares find the
+    // function, except for the ridge, 1e-6 of slopes whose guides have a spread of some
+    // hundredths in a window, and for single precision times the condition, which is as
+    // large.
     for (std::size_t i = 0; i < image.rgba.size(); ++i)
         EXPECT_LT((image.rgba[i] - before.rgba[i]).cwiseAbs().maxCoeff(), 2e-3f);
 }
@@ -109,7 +110,7 @@ TEST(Denoise, NoNoiseIsNoChange) {
                   1e-6f * (1 + before.rgba[i].maxCoeff()));
 }
 
-TEST(Denoise, CoverageStaysAndNothingShinesWhereNothingIs) {
+TEST(Denoise, KeepsCoverageAndAddsNoLightWithoutIt) {
     Ball ball;
     Image image = ball.image(4, 3);
     const Image before = image;

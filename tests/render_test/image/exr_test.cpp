@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr int kWidth = 5, kHeight = 3, kPixels = kWidth * kHeight;
 
-/// Every value exact in half precision: sixteenths, eighths and thirty-seconds below 2.
+/// Every value is exact in half precision: sixteenths, eighths and thirty-seconds below
+/// 2.
 Image small_image() {
     Image image(kWidth, kHeight);
     for (std::size_t i = 0; i < kPixels; ++i) {
@@ -76,7 +77,7 @@ std::map<std::string, int> parts_of(const Imf::MultiPartInputFile& file) {
     return out;
 }
 
-TEST(ImageExr, APictureWithoutMoreHasFivePartsAndColourFirst) {
+TEST(ImageExr, AMinimalPictureHasFivePartsAndColourFirst) {
     const Image image = small_image();
     const Imf::MultiPartInputFile file(written(image).c_str());
     auto parts = parts_of(file);
@@ -127,14 +128,14 @@ TEST(ImageExr, CryptomatteRanksIdsByTheirShare) {
     const auto material = [&](const char* name) {
         return channel(file, parts["CryptoMaterial"], name)[7];
     };
-    // Coverage is one half, the head's a quarter: hair has the rest.
+    // Coverage is one half, that of the head a quarter: hair has the rest.
     EXPECT_EQ(material("CryptoMaterial00.R"), cryptomatte_float("hair"));
     EXPECT_EQ(material("CryptoMaterial00.G"), 0.25f);
     EXPECT_EQ(material("CryptoMaterial00.B"), cryptomatte_float("head"));
     EXPECT_EQ(material("CryptoMaterial00.A"), 0.25f);
 }
 
-TEST(ImageExr, TheFirstPartTellsOfEveryCryptomatte) {
+TEST(ImageExr, TheFirstPartDescribesEveryCryptomatte) {
     const Imf::MultiPartInputFile file(written(full_image()).c_str());
     const auto text = [&](const char* key) {
         const auto* found = file.header(0).findTypedAttribute<Imf::StringAttribute>(key);
@@ -148,7 +149,7 @@ TEST(ImageExr, TheFirstPartTellsOfEveryCryptomatte) {
 }
 
 TEST(Cryptomatte, HashesAreMurmurs) {
-    // Known answers of MurmurHash3_x86_32: no byte, then tails of 1, 0 and 3 bytes.
+    // Known results of MurmurHash3_x86_32: no bytes, then tails of 1, 0 and 3 bytes.
     EXPECT_EQ(murmur_hash3(""), 0u);
     EXPECT_EQ(murmur_hash3("", 1), 0x514e28b7u);
     EXPECT_EQ(murmur_hash3("hello"), 0x248bfa47u);
@@ -180,9 +181,9 @@ TEST(RankedIds, FewIdsAreExact) {
     }
 }
 
-TEST(RankedIds, OfManyAHeavyOneIsKeptAndNoneIsToldTooMuch) {
-    // 1200 of weight one, 150 of them id 7: more than a twelfth, so it must stay; at most
-    // a twelfth of all may be missed.
+TEST(RankedIds, OfManyAHeavyOneIsKeptAndNoneIsOverestimated) {
+    // Total weight 1200, 150 of it for id 7: more than a twelfth, so it must stay; at
+    // most a twelfth of the total may be missed.
     RankedIds ids;
     for (std::uint32_t i = 0; i < 1200; ++i) ids.add(i % 8 == 3 ? 7 : 1000 + i, 1);
     const auto first = ids.ranks<1>()[0];

@@ -60,7 +60,7 @@ TEST(Image, PngWithAlphaIsNotPremultiplied) {
     EXPECT_LT((map.texels[0] - Vec3f(0.4f, 0.2f, 0.1f)).cwiseAbs().maxCoeff(), 0.004f);
 }
 
-TEST(Image, FloatPicturesAreReadAsTheyAre) {
+TEST(Image, FloatPicturesAreReadUnchanged) {
     const fs::path path = fresh_folder("lancret_float") / "a.exr";
     const Image image = small_image();
     write_image(path, image);
@@ -97,12 +97,12 @@ TEST(Image, AMissingTextureIsNamed) {
               "/no/such/sky.exr: no such picture");
 }
 
-TEST(Image, WhatIsNoPictureIsRefused) {
+TEST(Image, FilesOtherThanPicturesAreRefused) {
     const fs::path folder = fresh_folder("lancret_broken");
     const fs::path text = folder / "a.png";
     std::ofstream(text) << "this is not a picture";
     EXPECT_THROW(read_texture(text), InputError);
-    // A picture cut off in the middle.
+    // A truncated image.
     const fs::path whole = folder / "b.exr", cut = folder / "c.exr";
     write_image(whole, small_image());
     fs::copy_file(whole, cut);

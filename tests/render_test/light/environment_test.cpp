@@ -24,8 +24,8 @@ Texture uneven_map() {
 }
 
 double sampling_chance(const Environment& light, int count, unsigned seed) {
-    // Bins about x, as fine as 5 degrees; the density is constant within texels, whose
-    // edges cross bins: 24 x 24 midpoints place an edge to 1/48 of a bin.
+    // Bins about x, as fine as 5 degrees. The density is constant within texels, whose
+    // edges cross bins: 24 x 24 midpoints locate an edge to 1/48 of a bin.
     SphereBins bins(16, 32);
     std::mt19937 random(seed);
     for (int i = 0; i < count; ++i) {
@@ -55,7 +55,7 @@ TEST(Environment, SamplesCarryTheRadianceAndDensityOfTheirDirection) {
         EXPECT_EQ(s.radiance, environment.radiance(s.direction));
         same += std::abs(s.pdf - environment.pdf(s.direction)) <= 1e-5f * s.pdf;
     }
-    // Rounding moves a direction over a texel's edge in about 1e-6 / (2 pi / 16) of
+    // Rounding moves a direction across a texel's edge in about 1e-6 / (2 pi / 16) of
     // cases.
     EXPECT_GE(same, 1999);
 }
@@ -106,12 +106,12 @@ TEST(Environment, RotationTurnsTheMapAboutTheUpAxis) {
     for (int i = 0; i < 100; ++i) {
         const float u = unit_float(random());
         const Vec3f d = uniform_sphere({u, unit_float(random())});
-        // The brightest step between texels, 60 over 22 degrees, times 1e-6 radian.
+        // The largest step between texels, 60 over 22 degrees, times 1e-6 radian.
         EXPECT_LT((turned.radiance(turn * d) - still.radiance(d)).norm(), 1e-3f);
     }
 }
 
-TEST(Environment, RefusesWhatIsNotRadiance) {
+TEST(Environment, RefusesInvalidRadiance) {
     EXPECT_THROW(Environment(Texture{}), std::invalid_argument);
     EXPECT_THROW(Environment(Vec3f(1, -1, 1)), std::invalid_argument);
     EXPECT_THROW(Environment(Vec3f(1, NAN, 1)), std::invalid_argument);

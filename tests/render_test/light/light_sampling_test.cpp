@@ -1,4 +1,4 @@
-// Sampling lights, sampling the material and both together give the same picture.
+// Sampling lights, sampling the material, and both combined give the same picture.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ Mean radiance(const RenderScene& scene, const Ray& ray, LightSampling sampling,
     settings.sampling = sampling;
     Mean mean;
     for (std::uint32_t i = 0; i < 12000; ++i) {
-        // Of a sampler the samples of one pixel depend on each other; pixels do not.
+        // The samples of one pixel depend on each other; pixels are independent.
         Sampler sampler(stream, i, 0);
         mean.add(trace_path(scene, settings, ray, sampler).radiance.x());
     }
@@ -67,9 +67,9 @@ void compare_samplings(Lights lights) {
                 ++tests;
             }
         }
-    // The pairs of a place share `both`, so their z are correlated by a half at most and
-    // the sum of squares has twice the variance of a chi-square: its chance, told as that
-    // of half as many, is wrong once in 1e4 or less.
+    // The pairs at one pixel share `both`, so their z are correlated by at most a half,
+    // and the sum of squares has twice the variance of a chi-square. Its p-value,
+    // computed with half as many degrees of freedom, is wrong at most once in 1e4.
     ASSERT_GT(tests, 30);
     EXPECT_GT(chi_square_chance(squares / 2, tests / 2.0), 1e-4)
         << squares << ' ' << tests;
@@ -100,13 +100,13 @@ TEST(LightSampling, SphereIsTheSameByEitherWayAndBoth) {
 }
 
 TEST(LightSampling, ALightWithinTheGroomIsTheSameByEitherWayAndBoth) {
-    // Among the strands, and in front of some: distances to lights count.
+    // Among the strands, and in front of some: distances to lights matter.
     compare_samplings(Lights(Environment(Vec3f::Constant(0.2f)), {}, {},
                              {{Vec3f(0, 0, 12), 2.5f, Vec3f::Constant(5)}}));
 }
 
 TEST(LightSampling, AStrandBeyondALightDoesNotShadeIt) {
-    // A plate, a ball of light above it, and a plate above both that hides nothing.
+    // A plate, a ball of light above it, and a plate above both that occludes nothing.
     TriangleMesh plates;
     for (const float z : {0.0f, 10.0f})
         for (const Vec3f& p : {Vec3f(-90, -90, z), Vec3f(90, -90, z), Vec3f(0, 180, z)})

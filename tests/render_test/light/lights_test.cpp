@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-/// A smooth map of some contrast.
+/// A smooth map of moderate contrast.
 Environment uneven_sky() {
     return Environment(sky_map(Vec3f(2, 1, 1), Vec3f(0.2f, 0.3f, 0.5f), Vec3f::Zero()),
                        Vec3f(1, 2, 3));
@@ -46,7 +46,7 @@ Lights mixed() {
         {rectangle}, {{Vec3f(-2, -1, -2), 1, Vec3f(2, 2, 2)}});
 }
 
-/// Each light as often as any other.
+/// Samples each light equally often.
 LightSample sample_any(const Lights& lights, const Vec3f& from, Random& random) {
     const auto light = std::size_t(random() * float(lights.size()));
     LightSample sample = lights.sample(light, from, random.pair());
@@ -54,7 +54,7 @@ LightSample sample_any(const Lights& lights, const Vec3f& from, Random& random) 
     return sample;
 }
 
-/// The sum of all densities of sampling a direction so.
+/// The sum of the densities of all lights in a direction.
 float density(const Lights& lights, const Vec3f& from, const Vec3f& direction) {
     float sum = 0;
     lights.along(from, direction, kFar, [&](float pdf) {
@@ -64,8 +64,8 @@ float density(const Lights& lights, const Vec3f& from, const Vec3f& direction) {
     return sum;
 }
 
-/// Pearson's chance of sampled directions, by densities at 24 x 24 midpoints of each bin:
-/// what a light's edge adds there is a 48th of a bin.
+/// The p-value of sampled directions, against densities at 24 x 24 midpoints of each bin;
+/// the edge of a light adds an error of a 48th of a bin.
 double sampling_chance(const Lights& lights, const Vec3f& from, unsigned seed) {
     constexpr int kCount = 40000;
     SphereBins bins(16, 32);
@@ -90,7 +90,7 @@ TEST(Lights, SampledDirectionsFollowTheDensity) {
 }
 
 TEST(Lights, SamplesCarryTheRadianceDensityAndDistanceOfTheirLight) {
-    // One light at a time: the light met along a sampled direction is that of the sample.
+    // One light at a time: the light along a sampled direction is that of the sample.
     Random random{std::mt19937(6)};
     const Vec3f from(0.5f, 0.2f, -0.3f);
     for (const Lights& lights : {with_rectangle(), with_sphere(Vec3f(1, 2, 3), 1.5f),
@@ -99,7 +99,8 @@ TEST(Lights, SamplesCarryTheRadianceDensityAndDistanceOfTheirLight) {
         for (int i = 0; i < 2000; ++i) {
             const LightSample s = lights.sample(1, from, random.pair());
             ASSERT_GT(s.pdf, 0);
-            // Rounding of places near 5 cm, 1e-6, over cosines and chords of 0.1 and up.
+            // Rounding of positions near 5 cm, 1e-6, over cosines and chords of at least
+            // 0.1.
             const auto before = s.distance * 0.9999f, beyond = s.distance * 1.0001f;
             EXPECT_EQ(lights.along(from, s.direction, before, [](float) { return 1.0f; }),
                       Vec3f::Zero());
@@ -109,7 +110,7 @@ TEST(Lights, SamplesCarryTheRadianceDensityAndDistanceOfTheirLight) {
             });
             met += light == s.radiance;
         }
-        // Samples within a rounding of the edge may miss it: 1e-6 of some.
+        // Samples within a rounding of the edge may miss it: about 1e-6 of them.
         EXPECT_GE(met, 1999);
     }
 }
@@ -125,12 +126,12 @@ TEST(Lights, DistantLightGivesItsIrradianceToASurfaceThatFacesIt) {
             ASSERT_GT(s.pdf, 0);
             mean.add(s.radiance.x() * s.direction.dot(towards) / s.pdf);
         }
-        // Float radii and solid angles hold 1e-5 even for the smallest disc.
+        // Float radii and solid angles are accurate to 1e-5 even for the smallest disc.
         EXPECT_NEAR(mean.value(), 3, kSigmas * mean.error() + 1e-4) << radius;
     }
 }
 
-/// Irradiance on a plane at `from` of that normal, by samples of the lights.
+/// Irradiance on a plane at `from` with this normal, by samples of the lights.
 Mean irradiance(const Lights& lights, const Vec3f& from, const Vec3f& normal,
                 unsigned seed) {
     Random random{std::mt19937(seed)};
@@ -147,7 +148,8 @@ Mean irradiance(const Lights& lights, const Vec3f& from, const Vec3f& normal,
 }
 
 TEST(Lights, SphereGivesItsClosedFormIrradiance) {
-    // A sphere in full view: E = pi L (r / d)^2 cos. From within, facing any way: pi L.
+    // A fully visible sphere: E = pi L (r / d)^2 cos. From inside, in any direction: pi
+    // L.
     const Vec3f centre(0, 3, 4), normal = Vec3f::UnitY();
     const Mean outside = irradiance(with_sphere(centre, 2), Vec3f::Zero(), normal, 9);
     EXPECT_NEAR(outside.value(), M_PI * 3 * 4 / 25.0 * 3 / 5.0,
@@ -158,8 +160,8 @@ TEST(Lights, SphereGivesItsClosedFormIrradiance) {
 
 TEST(Lights, RectangleGivesItsClosedFormIrradiance) {
     // Lambert's formula for a polygon: E = L / 2 sum of angle_i * (unit normal of the
-    // plane of edge i and the place) . n. The rectangle is 5 x 2 at height 3, off to a
-    // side, and all of it is above the plane.
+    // plane through edge i and the point) . n. The rectangle is 5 x 2 at height 3, off to
+    // a side and entirely above the plane.
     RectangleLight light;
     light.centre = Vec3f(1, 3, -2);
     light.normal = -Vec3f::UnitY();
@@ -187,7 +189,7 @@ TEST(Lights, RectangleIsDarkBehind) {
 }
 
 TEST(Lights, SeveralLightsGiveTheSumOfEach) {
-    // The same integral by uniform directions, of all that is seen.
+    // The same integral by uniform directions over all visible lights.
     const Vec3f from(1, 1, -2), normal = Vec3f(0.3f, 0.9f, 0.1f).normalized();
     const Lights lights = mixed();
     const Mean sampled = irradiance(lights, from, normal, 12);
@@ -202,7 +204,7 @@ TEST(Lights, SeveralLightsGiveTheSumOfEach) {
                 kSigmas * std::hypot(sampled.error(), uniform.error()));
 }
 
-TEST(Lights, TheChosenOneStandsForTheSumOfAll) {
+TEST(Lights, TheChosenLightEstimatesTheSumOfAll) {
     const Vec3f from(1, 1, -2), normal = Vec3f(0.3f, 0.9f, 0.1f).normalized();
     const Lights lights = mixed();
     const Mean each = irradiance(lights, from, normal, 14);
@@ -223,7 +225,7 @@ TEST(Lights, TheChosenOneStandsForTheSumOfAll) {
     EXPECT_LT(chosen.error(), each.error() / 2);
 }
 
-TEST(Lights, NoLightAtAllBringsNone) {
+TEST(Lights, NoLightContributesNothing) {
     const Lights dark;
     const ChosenLight none =
         choose_light(dark, Vec3f::Zero(), 0.3f, {0.2f, 0.7f},
@@ -232,7 +234,7 @@ TEST(Lights, NoLightAtAllBringsNone) {
     EXPECT_EQ(dark.radiance(Vec3f::Zero(), Vec3f::UnitX()), Vec3f::Zero());
 }
 
-TEST(Lights, RefusesWhatIsNoLight) {
+TEST(Lights, RefusesInvalidLights) {
     const auto rectangle = [](auto change) {
         RectangleLight light;
         change(light);

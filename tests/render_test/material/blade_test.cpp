@@ -14,8 +14,8 @@ BladeMaterial blade(float translucency, std::optional<float> coat = {}) {
 
 Vec3f viewer(float angle) { return {std::sin(angle), 0, std::cos(angle)}; }
 
-TEST(Blade, WhiteWithoutACoatSendsAllLightOnWithWeightOne) {
-    // Value over density is the colour over (1 - t) / (1 - t): two products and a
+TEST(Blade, WhiteWithoutACoatScattersAllLightWithWeightOne) {
+    // Value over density is the colour times (1 - t) / (1 - t): two products and a
     // quotient in float.
     Random random{std::mt19937(1)};
     for (const float t : {0.0f, 0.3f, 1.0f})
@@ -29,7 +29,7 @@ TEST(Blade, WhiteWithoutACoatSendsAllLightOnWithWeightOne) {
 }
 
 TEST(Blade, LeavesOnEitherSideByItsTranslucency) {
-    // Of the colour 0.8, 0.3 through: 0.56 and 0.24, by uniform directions.
+    // Colour 0.8, 0.3 of it transmitted: 0.56 and 0.24, by uniform directions.
     const Blade surface(blade(0.3f), Vec3f::Constant(0.8f), viewer(0.5f));
     Random random{std::mt19937(2)};
     Mean near, far;
@@ -43,7 +43,7 @@ TEST(Blade, LeavesOnEitherSideByItsTranslucency) {
     EXPECT_NEAR(far.value(), 0.24, kSigmas * far.error());
 }
 
-TEST(Blade, SendsOnNoMoreThanItReceivesAndSamplingAgreesUnderACoat) {
+TEST(Blade, GainsNoEnergyAndSamplingAgreesUnderACoat) {
     for (const float roughness : {0.3f, 0.7f})
         for (const float angle : {0.0f, 0.8f, 1.45f}) {
             const Blade surface(blade(0.4f, roughness), Vec3f::Ones(), viewer(angle));
@@ -66,7 +66,7 @@ TEST(Blade, SendsOnNoMoreThanItReceivesAndSamplingAgreesUnderACoat) {
 }
 
 TEST(Blade, AWhiteCoatLosesTheSameOnEitherSide) {
-    // As Glossy's: 0.04 + 0.96 * 0.9082 = 0.9119 straight down on a smooth coat,
+    // As for Glossy: 0.04 + 0.96 * 0.9082 = 0.9119 straight down on a smooth coat,
     // whichever side the light leaves on.
     for (const float t : {0.2f, 0.9f}) {
         const Blade surface(blade(t, 0.1f), Vec3f::Ones(), Vec3f::UnitZ());
@@ -82,8 +82,8 @@ TEST(Blade, AWhiteCoatLosesTheSameOnEitherSide) {
 }
 
 TEST(Blade, SampledDirectionsFollowTheDensity) {
-    // Facets that the coat would send downward are no samples: they are counted by what
-    // the density lacks to one. Three tests, wrong once in 1000 each.
+    // Directions that the coat's facets would reflect downward are not sampled; they are
+    // counted by the density's deficit to one. Three tests, each wrong once in 1000.
     unsigned seed = 5;
     for (const auto& material : {blade(0.5f), blade(0.35f, 0.5f), blade(1, 0.8f)}) {
         const Blade surface(material, Vec3f::Constant(0.6f), viewer(0.9f));
@@ -108,7 +108,7 @@ TEST(Blade, SampledDirectionsFollowTheDensity) {
     }
 }
 
-TEST(Blade, IsReciprocalThroughAndThrough) {
+TEST(Blade, IsReciprocalOnBothSides) {
     Random random{std::mt19937(6)};
     const BladeMaterial material = blade(0.4f, 0.5f);
     for (int i = 0; i < 200; ++i) {

@@ -9,14 +9,15 @@
 namespace lancret {
 namespace {
 
-/// A direction by its inclination and its azimuth from the viewer's.
+/// A direction by its inclination and its azimuth from the viewer.
 Vec3f direction(double inclination, double azimuth) {
     return Vec3(std::sin(inclination), std::cos(inclination) * std::sin(azimuth),
                 std::cos(inclination) * std::cos(azimuth))
         .cast<float>();
 }
 
-/// The mean of near-field lobes over h = sin(gamma), by middles of even steps of gamma.
+/// The mean of near-field lobes over h = sin(gamma), by midpoints of uniform steps of
+/// gamma.
 double mean_over_offsets(const HairModel& model, const Vec3f& wo, const Vec3f& wi) {
     const int count = std::max(400, int(8 / model.s));
     double sum = 0, weights = 0;
@@ -30,12 +31,12 @@ double mean_over_offsets(const HairModel& model, const Vec3f& wo, const Vec3f& w
 }
 
 TEST(FarLobes, AreTheMeanOfNearLobesOverTheOffset) {
-    // At the rows of the tables, so that all that is left is the error in phi and in h.
-    // With D'' at most 1 / (8 s^3) and lobes that add up to one: a cell of width d
-    // averages over itself (d^2 / 24 of it) and is interpolated (d^2 / 8). Steps g of
-    // gamma add (pi / 2) g^2 / 24 times a second derivative by gamma of at most 4 D'' + 4
-    // D' + D (angles turn by at most 2 a step), D' <= 0.1 / s^2, D <= 0.25 / s. All are
-    // times M, of which the largest bounds the rest.
+    // At the rows of the tables, so that only the errors in phi and h remain. With D'' at
+    // most 1 / (8 s^3) and lobes that sum to one, a cell of width d averages over itself
+    // (d^2 / 24 of it) and is interpolated (d^2 / 8). Steps g of gamma add (pi / 2) g^2 /
+    // 24 times a second derivative by gamma of at most 4 D'' + 4 D' + D (angles turn by
+    // at most 2 per step), D' <= 0.1 / s^2, D <= 0.25 / s. All terms are multiplied by M,
+    // whose largest lobe bounds the others.
     for (const float beta : {0.2f, 0.3f, 0.5f, 1.0f})
         for (const int row : {2, 9, 20, kFarRows}) {
             const HairModel model(material(0.4f, beta, 0.05f, 0.15f));
@@ -61,8 +62,8 @@ TEST(FarLobes, AreTheMeanOfNearLobesOverTheOffset) {
 }
 
 TEST(FarLobes, AreWithinAPercentOfThatMeanAtAnyInclinationAndAbsorption) {
-    // The precision that docs/rendering.md states for azimuthal roughness 0.2 and more:
-    // root of the mean square over directions, of what the mean is there.
+    // The accuracy stated in docs/rendering.md for azimuthal roughness of 0.2 and more:
+    // root mean square over directions, relative to the mean there.
     for (const float beta : {0.2f, 0.3f, 0.5f, 1.0f})
         for (const float sigma_a : {0.0f, 0.2f, 1.0f, 4.0f})
             for (const float inclination : {0.0f, -0.63f, 1.01f, 1.4f}) {
@@ -81,11 +82,11 @@ TEST(FarLobes, AreWithinAPercentOfThatMeanAtAnyInclinationAndAbsorption) {
             }
 }
 
-TEST(FarLobes, WhiteFurnaceSendsAllLightOn) {
-    // The azimuth at middles of cells: exact, for tables are linear there. Inclinations
-    // at 400 midpoints: at the poles the cosine ends with a slope, step^2 / 24 of M
-    // there, of which R's, at most 1 / v = 153 of roughness 0.1, makes 4e-4; rounding of
-    // energies is 1e-6.
+TEST(FarLobes, WhiteFurnaceScattersAllLight) {
+    // The azimuth at midpoints of cells: exact, because tables are linear there.
+    // Inclinations at 400 midpoints: at the poles the cosine ends with a slope, step^2 /
+    // 24 of M there, of which that of R, at most 1 / v = 153 at roughness 0.1, makes
+    // 4e-4; rounding of energies is 1e-6.
     constexpr int kRows = 400;
     for (const float beta_m : {0.1f, 0.4f, 1.0f})
         for (const float beta_n : {0.3f, 1.0f})
@@ -113,9 +114,9 @@ TEST(FarLobes, WhiteFurnaceSendsAllLightOn) {
 }
 
 TEST(FarLobes, WhiteFurnaceBySamplingHasWeightOneForEverySample) {
-    // Value and density are then the same sum. Each lobe's energy is interpolated and its
-    // nodes are: the rounding of 512 sums in float, 512^(1/2) half-ulps, and of three
-    // interpolations.
+    // Value and density are then the same sum. The energy of each lobe is interpolated,
+    // and so are its nodes: the rounding of 512 sums in float, 512^(1/2) half-ulps, and
+    // of three interpolations.
     Random random{std::mt19937(2)};
     for (const float beta : {0.01f, 0.1f, 0.3f, 1.0f}) {
         const HairModel model(material(beta, beta, 0.05f, 0));
@@ -160,7 +161,7 @@ TEST(FarLobes, SampledDirectionsFollowTheDensity) {
 }
 
 TEST(SlowFarLobes, SampledDirectionsFollowTheDensityEverywhere) {
-    // 24 tests of a million samples; one is wrong by chance once in 100 runs in all.
+    // 24 tests of a million samples; in all, one is wrong by chance once in 100 runs.
     unsigned seed = 10;
     for (const float beta : {0.1f, 0.3f, 0.6f, 1.0f})
         for (const float inclination : {0.0f, 0.8f, -1.2f})
@@ -173,7 +174,7 @@ TEST(SlowFarLobes, SampledDirectionsFollowTheDensityEverywhere) {
 }
 
 TEST(FarLobes, SampledEnergyIsTheTables) {
-    // What importance sampling finds of the energy, with absorption, is the lobes' own.
+    // The energy estimated by importance sampling, with absorption, is that of the lobes.
     Random random{std::mt19937(5)};
     for (const float sigma_a : {0.1f, 1.0f, 5.0f}) {
         const HairModel model(material(0.5f, 0.4f, 0.05f, sigma_a));
@@ -191,8 +192,8 @@ TEST(FarLobes, SampledEnergyIsTheTables) {
     }
 }
 
-TEST(FarLobes, MorePigmentSendsLessLightOnInEveryDirection) {
-    // Beyond an absorption of 10 a radius what is left of TT is below a rounding of R.
+TEST(FarLobes, MorePigmentScattersLessLightInEveryDirection) {
+    // Beyond an absorption of 10 per radius the rest of TT is below a rounding of R.
     const HairModel model(material(0.4f, 0.3f, 0.05f, 0));
     const FarTable table(model);
     for (const float inclination : {0.0f, 0.8f, 1.5f})

@@ -23,9 +23,9 @@ Vec3f viewer(float angle) {
 }
 
 TEST(Glossy, SampledDirectionsFollowTheDensityWithinTheUpperHalf) {
-    // Samples of the coat that a facet sends downward are none: they are counted in a bin
-    // of their own by what the density lacks to one. Three tests, wrong once in 1000
-    // each.
+    // Directions that facets of the coat reflect downward are not sampled; they are
+    // counted in a bin of their own by the density's deficit to one. Three tests, each
+    // wrong once in 1000.
     unsigned seed = 1;
     for (const float roughness : {0.4f, 0.7f, 1.0f}) {
         const Glossy surface(coated(roughness, Vec3f::Constant(0.4f)), Hit(),
@@ -62,13 +62,13 @@ TEST(Glossy, IsReciprocal) {
         const MeshMaterial material = coated(0.3f, Vec3f(0.2f, 0.5f, 0.9f));
         const Vec3f ab = Glossy(material, Hit(), a).evaluate(b).value / b.z();
         const Vec3f ba = Glossy(material, Hit(), b).evaluate(a).value / a.z();
-        // Both are products of the same ten factors in float; of D at alpha 0.09 the
-        // relative rounding is that of sin^2 / alpha^2, 1e-7 / 0.008 at worst, squared.
+        // Both are products of the same ten factors in float; the relative rounding of D
+        // at alpha 0.09 is that of sin^2 / alpha^2, at worst 1e-7 / 0.008, squared.
         EXPECT_LE((ab - ba).norm(), 1e-4f * ab.norm());
     }
 }
 
-TEST(Glossy, SendsOnNoMoreThanItReceivesAndSamplingAgrees) {
+TEST(Glossy, GainsNoEnergyAndSamplingAgrees) {
     for (const float roughness : {0.1f, 0.4f, 1.0f})
         for (const float angle : {0.0f, 0.8f, 1.4f}) {
             const Glossy surface(coated(roughness, Vec3f::Ones()), Hit(), viewer(angle));
@@ -90,9 +90,9 @@ TEST(Glossy, SendsOnNoMoreThanItReceivesAndSamplingAgrees) {
 }
 
 TEST(Glossy, AWhiteCoatLosesOnlyWhatFacetsAndTheCoatsInsideKeep) {
-    // Straight down on a smooth coat: F = 0.04 comes back, and of the rest what leaves is
-    // 1 less the mean of F over cosine-weighted directions, 0.0918 for index 1.5 (Walsh's
-    // closed form): 0.04 + 0.96 * 0.9082 = 0.9119.
+    // Straight down on a smooth coat: F = 0.04 is reflected, and of the rest the share
+    // that leaves is 1 less the mean of F over cosine-weighted directions, 0.0918 for
+    // index 1.5 (Walsh's closed form): 0.04 + 0.96 * 0.9082 = 0.9119.
     const Glossy surface(coated(0.1f, Vec3f::Ones()), Hit(), Vec3f::UnitZ());
     Random random{std::mt19937(12)};
     Mean mean;
@@ -101,7 +101,7 @@ TEST(Glossy, AWhiteCoatLosesOnlyWhatFacetsAndTheCoatsInsideKeep) {
         const auto s = surface.sample(pick, 0, random.pair());
         mean.add(s ? s->at.value.x() / s->at.pdf : 0);
     }
-    // Facets of alpha 0.01 turn F by its second derivative times 1e-4: nothing.
+    // Facets of alpha 0.01 change F by its second derivative times 1e-4: negligible.
     EXPECT_NEAR(mean.value(), 0.9119, kSigmas * mean.error() + 2e-4);
 }
 

@@ -1,4 +1,4 @@
-// Lobe by lobe, and the furnace by quadrature.
+// Single lobes, and the furnace by quadrature.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace lancret {
 namespace {
 
-/// Pearson's chance of one lobe's samples, by its M N.
+/// The p-value of samples of one lobe against its M N.
 double lobe_chance(const HairMaterial& m, float inclination, float h, int lobe, int count,
                    int fine, unsigned seed) {
     const HairModel model(m);
@@ -20,7 +20,7 @@ double lobe_chance(const HairMaterial& m, float inclination, float h, int lobe, 
     Random random{std::mt19937(seed)};
     int drawn = 0;
     for (int i = 0; i < count; ++i) {
-        // Within the lobe's own share, kept off its ends by more than a rounding.
+        // Within the share of the lobe, kept away from its ends by more than a rounding.
         const float pick =
             low + LobeInspection::probability(bsdf, lobe) * (0.001f + 0.998f * random());
         const float azimuth = random();
@@ -35,9 +35,9 @@ double lobe_chance(const HairMaterial& m, float inclination, float h, int lobe, 
 }
 
 TEST(HairBsdf, SamplesOfEachLobeFollowItsOwnDensity) {
-    // Twelve tests, each wrong once in 1000. R is a quarter as wide as the others in
-    // variance: its narrowest here, beta 0.3, is 0.1 radian, over which midpoints at
-    // 1/16 of a bin of 7.5 degrees stand 12 times.
+    // Twelve tests, each wrong once in 1000. R has a quarter of the others' variance: its
+    // narrowest here, at beta 0.3, is 0.1 radian wide and contains 12 midpoints at 1/16
+    // of a bin of 7.5 degrees.
     unsigned seed = 20;
     for (int lobe = 0; lobe < kHairLobes; ++lobe) {
         EXPECT_GT(lobe_chance(material(0.3f, 0.3f, 0.05f, 0.1f), 0.4f, 0.5f, lobe, 40000,
@@ -78,13 +78,14 @@ TEST(HairBsdf, TheWholeIsTheSumOfItsLobes) {
 }
 
 TEST(HairBsdf, WhiteFurnaceHoldsAtEveryRoughnessAndTilt) {
-    // Quadrature, not chance: midpoints over inclination and azimuth, of all lobes; with
-    // nothing absorbed the whole is their M N weighted by attenuations that sum to one.
-    // The steps of pi / 1440 and 2 pi / 720 are a third of the narrowest lobe's width or
-    // less: R at beta_m = 0.05 has sqrt(v) = 0.0094 (v = 0.25 (0.726 * 0.05 + 0.812 *
-    // 0.0025)^2), and the logistic at 0.05 a scale s = 0.015. At the poles the rule's
-    // error is that of DensityIntegratesToOne with the step 2.4 times less and M there
-    // below 1 / v only where the lobe reaches them, which it does not at these viewers.
+    // By quadrature, not at random: midpoints over inclination and azimuth, for all
+    // lobes. Without absorption the whole is their M N weighted by attenuations that sum
+    // to one. The steps of pi / 1440 and 2 pi / 720 are at most a third of the narrowest
+    // lobe's width: R at beta_m = 0.05 has sqrt(v) = 0.0094 (v = 0.25 (0.726 * 0.05 +
+    // 0.812 * 0.0025)^2), and the logistic at 0.05 has s = 0.015. At the poles the error
+    // of the rule is that of DensityIntegratesToOne with a step 2.4 times smaller, and M
+    // reaches 1 / v there only if the lobe extends to the pole, which it does not for
+    // these viewers.
     constexpr int kRows = 1440, kColumns = 720;
     for (const float beta : {0.05f, 0.1f, 0.2f, 0.4f, 0.7f, 1.0f})
         for (const float tilt : {-0.3f, 0.0f, 0.035f, 0.15f}) {
@@ -105,13 +106,13 @@ TEST(HairBsdf, WhiteFurnaceHoldsAtEveryRoughnessAndTilt) {
         }
 }
 
-TEST(HairBsdf, IsReciprocalAtEqualInclinationsAlone) {
-    // f(wo, wi) cos(wi) with A of wo alone, as Chiang et al. have it: swapping the two
-    // changes A. docs/rendering.md tells of it. Without tilt and at equal inclinations
-    // and |h| the model is reciprocal in M and N, so the ratio is that of A.
+TEST(HairBsdf, IsReciprocalOnlyAtEqualInclinations) {
+    // f(wo, wi) cos(wi) with A of wo only, as published by Chiang et al.: swapping the
+    // two changes A (docs/rendering.md). Without tilt and at equal inclinations and |h|
+    // the model is reciprocal in M and N, so the ratio is that of A.
     const HairModel model(material(0.4f, 0.4f, 0, 1.0f));
     const auto f = [&](float to, float ti) {
-        // wi in the plane of wo and the strand: both azimuths are that of z.
+        // wi in the plane of wo and the strand: both have the azimuth of z.
         const HairBsdf bsdf(model, viewer(to), 0.3f);
         return bsdf.evaluate(viewer(ti)).value.x() / std::cos(ti);
     };

@@ -9,7 +9,7 @@
 namespace lancret {
 namespace {
 
-/// The share of light sent on, by importance sampling.
+/// Albedo, by importance sampling.
 Mean albedo(const HairBsdf& bsdf, int count, Random& random) {
     Mean mean;
     for (int i = 0; i < count; ++i) {
@@ -19,7 +19,7 @@ Mean albedo(const HairBsdf& bsdf, int count, Random& random) {
     return mean;
 }
 
-TEST(HairBsdf, WhiteFurnaceByUniformDirectionsSendsAllLightOn) {
+TEST(HairBsdf, WhiteFurnaceByUniformDirectionsScattersAllLight) {
     Random random{std::mt19937(1)};
     int tries = 0, outside = 0;
     for (const float beta_m : {0.1f, 0.3f, 0.6f, 1.0f})
@@ -34,19 +34,20 @@ TEST(HairBsdf, WhiteFurnaceByUniformDirectionsSendsAllLightOn) {
                         mean.add(at.value.x() * 4 * M_PI);
                     }
                     ++tries;
-                    // The mean of rare large values is skewed at few samples, so a bound
-                    // of kSigmas holds for the sum of all, three sigmas for most.
+                    // The mean of rare large values is skewed with few samples: kSigmas
+                    // bounds the sum of all cases, three sigmas most single ones.
                     outside += std::abs(mean.value() - 1) > 3 * mean.error();
                 }
-    // A chance of 0.003 to 0.02 each, by skewness: of 108, more than 10 come once in 1e4.
+    // A probability of 0.003 to 0.02 each, by skewness: more than 10 of 108 occur once in
+    // 1e4.
     EXPECT_EQ(tries, 108);
     EXPECT_LE(outside, 10);
 }
 
 TEST(HairBsdf, WhiteFurnaceBySamplingHasWeightOneForEverySample) {
-    // With nothing absorbed the lobes' attenuations sum to one, and the density is the
-    // value itself: the weight is one up to the rounding of four products and sums in
-    // float, 16 half-ulps of 6e-8.
+    // Without absorption the lobes' attenuations sum to one, and the density is the
+    // value: the weight is one up to the rounding of four products and sums in float, 16
+    // half-ulps of 6e-8.
     Random random{std::mt19937(2)};
     for (const float beta : {0.01f, 0.1f, 0.3f, 1.0f})
         for (int i = 0; i < 2000; ++i) {
@@ -60,10 +61,10 @@ TEST(HairBsdf, WhiteFurnaceBySamplingHasWeightOneForEverySample) {
 
 TEST(HairBsdf, DensityIntegratesToOne) {
     // Midpoints on 600 inclinations and 300 azimuths: a tenth of the narrowest lobe
-    // (sqrt(v) / 2 = 0.04) and a third of the logistic (s = 0.063), where the rule's
-    // error on a smooth bump is exp(-2 (pi width / step)^2) < 1e-9. At the poles the
-    // cosine ends with a slope: Euler and Maclaurin's step^2 / 24 times M there, of R at
-    // most 1 / v = 153, is 1.7e-4.
+    // (sqrt(v) / 2 = 0.04) and a third of the logistic (s = 0.063), where the error of
+    // the rule on a smooth bump is exp(-2 (pi width / step)^2) < 1e-9. At the poles the
+    // cosine ends with a slope: by Euler and Maclaurin step^2 / 24 times M there, for R
+    // at most 1 / v = 153, is 1.7e-4.
     constexpr int kRows = 600, kColumns = 300;
     for (const float beta_m : {0.1f, 0.4f, 1.0f})
         for (const float inclination : {0.0f, -0.6f, 1.3f})
@@ -112,7 +113,7 @@ TEST(HairBsdf, SampledDirectionsFollowTheDensity) {
 }
 
 TEST(SlowHairBsdf, SampledDirectionsFollowTheDensityEverywhere) {
-    // 60 tests of a million samples; one is wrong by chance once in 100 runs in all.
+    // 60 tests of a million samples; in all, one is wrong by chance once in 100 runs.
     unsigned seed = 10;
     for (const float beta : {0.1f, 0.3f, 0.6f, 1.0f})
         for (const float inclination : {0.0f, 0.8f, -1.2f})
@@ -138,9 +139,9 @@ TEST(HairBsdf, ImportanceAndUniformSamplingAgree) {
     }
 }
 
-TEST(HairBsdf, MorePigmentSendsLessLightOn) {
-    // The same random numbers for each: the lobes' shares change, so compare beyond
-    // error.
+TEST(HairBsdf, MorePigmentScattersLessLight) {
+    // With the same random numbers for each. The lobes' probabilities change, so values
+    // are compared beyond their errors.
     Mean last;
     last.add(1);
     for (const float eumelanin : {0.1f, 0.3f, 1.0f, 3.0f, 8.0f}) {
@@ -180,17 +181,17 @@ TEST(HairBsdf, NothingIsNanAtTheEdges) {
                         if (!sample) continue;
                         ASSERT_TRUE(sample->direction.allFinite());
                         ASSERT_NEAR(sample->direction.norm(), 1, 1e-5);
-                        // A weight is at most one: a lobe's colour over its luminance,
-                        // grey here.
+                        // A weight is at most one: the colour of a lobe over its
+                        // luminance, grey here.
                         ASSERT_LE(sample->at.value.x(), sample->at.pdf * 1.00001f);
                     }
                 }
 }
 
 TEST(HairBsdf, SurfaceHighlightLeansTowardsTheRoot) {
-    // All but R absorbed; R's mean direction is mirrored about a normal that leans to the
-    // root by the tilt, so its inclination is minus twice the tilt. The spread shortens
-    // the mean of sin by at most v / 2 of itself: v = 0.0065.
+    // Everything but R is absorbed. R's mean direction is mirrored about a normal that
+    // leans to the root by the tilt, so its inclination is minus twice the tilt. The
+    // spread reduces the mean of sin by at most v / 2 of itself: v = 0.0065.
     const float tilt = 0.1f;
     const HairModel model(material(0.1f, 0.3f, tilt, 1e4f));
     const HairBsdf bsdf(model, viewer(0), 0.3f);
@@ -202,8 +203,8 @@ TEST(HairBsdf, SurfaceHighlightLeansTowardsTheRoot) {
 }
 
 TEST(HairBsdf, OffsetToOneSideReflectsToThatSide) {
-    // At h the surface's normal has the component h along y: R goes to 2 asin(h) from the
-    // viewer. The logistic is symmetric about it.
+    // At h the normal of the surface has the component h along y: R is reflected to 2
+    // asin(h) from the viewer, and the logistic is symmetric about it.
     const float h = 0.5f;
     const HairModel model(material(0.1f, 0.05f, 0, 1e4f));
     const HairBsdf bsdf(model, viewer(0), h);
@@ -256,14 +257,15 @@ TEST(HairColour, RefusesWhatIsOutOfRange) {
     EXPECT_THROW(HairModel{m}, std::invalid_argument);
 }
 
-TEST(HairMaterial, WidenedHairAbsorbsAsBefore) {
+TEST(HairMaterial, RoughenedHairKeepsItsAbsorption) {
     HairMaterial m;
     m.colour = Vec3f(0.6f, 0.3f, 0.1f);
     m.beta_m = 0.2f, m.beta_n = 0.7f;
     const HairMaterial wide = roughened(m, 0.5f);
     EXPECT_EQ(wide.beta_m, 0.5f);
     EXPECT_EQ(wide.beta_n, 0.7f);
-    // The absorption of a colour depends on beta_n: it stays that of the material.
+    // The absorption of a colour depends on beta_n: it remains that of the original
+    // material.
     EXPECT_EQ(sigma_a_of(wide), sigma_a_of(m));
     EXPECT_EQ(sigma_a_of(roughened(m, 0.9f)), sigma_a_of(m));
 }

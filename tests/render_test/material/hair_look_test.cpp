@@ -64,7 +64,7 @@ TEST(HairLook, EndsShowTheirColoursAndAbsorptionIsLinearBetween) {
     material.root_colour = Vec3f(0.2f, 0.1f, 0.05f);
     material.tip_colour = Vec3f(0.8f, 0.7f, 0.5f);
     const HairLook look(material);
-    // The fit's exponent, up to 6 sqrt(sigma) = 3, in float: 1e-6 of the value.
+    // The exponent of the fit, up to 6 sqrt(sigma) = 3, in float: 1e-6 of the value.
     EXPECT_LT((look.colour(5, 0) - *material.root_colour).norm(), 1e-6f);
     EXPECT_LT((look.colour(5, 1) - *material.tip_colour).norm(), 2e-6f);
     EXPECT_LT(
@@ -76,7 +76,7 @@ TEST(HairLook, EndsShowTheirColoursAndAbsorptionIsLinearBetween) {
     EXPECT_LT((HairLook(material).sigma_a(5, 1) - sigma_a_of(material)).norm(), 5e-7f);
 }
 
-TEST(HairLook, LeastRoughnessWidensTheSmootherStrandsAndKeepsTheirAbsorption) {
+TEST(HairLook, MinimumRoughnessAffectsSmootherStrandsAndKeepsTheirAbsorption) {
     HairMaterial material;
     material.root_colour = Vec3f(0.2f, 0.1f, 0.05f);
     material.roughness_variation = material.melanin_variation = 0.5f;
@@ -92,10 +92,11 @@ TEST(HairLook, LeastRoughnessWidensTheSmootherStrandsAndKeepsTheirAbsorption) {
         EXPECT_EQ(model.variance[0], std::max(own.variance[0], floor.variance[0]));
         EXPECT_EQ(model.s, std::max(own.s, floor.s));
         widened += model.s > own.s;
-        // Of the root's colour too, though a colour's absorption depends on beta_n.
+        // Also for the root colour, although the absorption of a colour depends on
+        // beta_n.
         EXPECT_EQ(wide.sigma_a(strand, 0.3f), look.sigma_a(strand, 0.3f));
     }
-    // Of 17 roughnesses from 0.15 to 0.45 the lower 11 are below it, the first of which
+    // Of 17 roughnesses from 0.15 to 0.45 the lower 11 are below the minimum, the first
     // half as often: 10.5 / 16 of 1000 strands, -+ 15 by the binomial.
     EXPECT_NEAR(widened, 656, kSigmas * 15);
     EXPECT_THROW(HairLook(material, 1.5f), std::invalid_argument);

@@ -13,8 +13,8 @@ namespace {
 
 constexpr float kInclinations[] = {0, 0.7f, -1.3f}, kOffsets[] = {-0.9f, 0, 0.6f};
 
-/// The value over the sphere: Gauss's rule of 16 points on `panels` of the inclination,
-/// by `columns` even azimuths.
+/// The integral of the value over the sphere: Gauss's rule of 16 points on `panels` of
+/// the inclination, and `columns` uniform azimuths.
 double integral(const HairBsdf& bsdf, int panels, int columns) {
     const GaussRule rule = gauss_rule(16);
     double sum = 0;
@@ -44,11 +44,11 @@ double chance(const HairBsdf& bsdf, int samples, int fine, unsigned seed) {
 }
 
 TEST(SlowHairTables, WhiteFurnaceByRoughnessAndTilt) {
-    // A panel is four widths of the narrowest lobe (TT, sqrt(v) / 2) or less, on which 16
-    // points leave 1e-10; azimuths step by a quarter of the logistic's 1.8 s, which
-    // leaves exp(-2 pi^2 / (1.8 / 4)) of its peak. What is left is rounding: of a value
-    // in single precision 2e-5 in the root mean square at 0.05 (docs/hair_bsdf.md), less
-    // on the mean of many.
+    // A panel is at most four widths of the narrowest lobe (TT, sqrt(v) / 2), for which
+    // 16 points leave 1e-10. Azimuths step by a quarter of the logistic's 1.8 s, which
+    // leaves exp(-2 pi^2 / (1.8 / 4)) of its peak. The rest is rounding: 2e-5 root mean
+    // square of a value in single precision at 0.05 (docs/hair_bsdf.md), less for the
+    // mean of many.
     std::printf(
         "largest of |1 - furnace| of 9 viewers\n  beta   tilt -0.3      0  0.035    "
         "0.16\n");
@@ -75,8 +75,8 @@ TEST(SlowHairTables, WhiteFurnaceByRoughnessAndTilt) {
 }
 
 TEST(SlowHairTables, ChiSquareByRoughnessAndTilt) {
-    // 216 tests of 2e5 samples: the least chance of 9 is shown. One below 0.01 / 216 is a
-    // fault, and comes by chance once in 100 runs.
+    // 216 tests of 2e5 samples; the minimum p-value of 9 is printed. One below 0.01 / 216
+    // is a fault, and occurs by chance once in 100 runs.
     std::printf("least chance of 9 viewers\n  beta   tilt -0.3   0   0.035   0.16\n");
     unsigned seed = 100;
     for (const float beta : {0.05f, 0.1f, 0.2f, 0.3f, 0.6f, 1.0f}) {

@@ -1,4 +1,5 @@
-// Lancret's hair against Mitsuba 3's, and both against the same equations in double.
+// Lancret's hair compared with Mitsuba 3's, and both with the same equations in double
+// precision.
 
 #include <gtest/gtest.h>
 
@@ -67,19 +68,19 @@ double narrowest(const Row& row) {
     return (0.726 * b + 0.812 * b * b + 3.7 * std::pow(b, 20)) / 2;
 }
 
-/// How far single precision may take a value from its double, as a share of it. A lobe's
-/// logarithm has the slope 1 / s by azimuth; azimuths are sums of five angles of up to
-/// 3 pi, each rounded to 5e-7 at most. By inclination its slope is d / v at d from the
-/// peak, and d is at most 4.3 sqrt(v) where values are above 1e-4 of the peak; the
-/// inclinations' sines are good to 6e-8 and their cosines, down to 0.17, to 6e-8 / 0.17,
-/// turned by the tilt and subtracted: 1e-6 in all. The rest is a dozen products: 1e-6.
+/// Relative error of a value in single precision. The logarithm of a lobe has the slope 1
+/// / s by azimuth; azimuths are sums of five angles of up to 3 pi, each rounded to at
+/// most 5e-7. By inclination its slope is d / v at d from the peak, and d is at most 4.3
+/// sqrt(v) where values are above 1e-4 of the peak. Sines of inclinations are accurate to
+/// 6e-8 and their cosines, down to 0.17, to 6e-8 / 0.17, turned by the tilt and
+/// subtracted: 1e-6 in all. The rest is a dozen products: 1e-6.
 double rounding(const Row& row) {
     return 2.5e-6 / scale_of_logistic(row) + 4.3e-6 / narrowest(row) + 1e-6;
 }
 
-/// Mitsuba's more. It takes h's angle from an arc cosine near one, which is good to
-/// 1.2e-7 / angle or to the root of that, and each azimuth has it two to six times; and
-/// it adds exponents of the size 1 / v before they cancel.
+/// Additional error of Mitsuba. It computes the angle of h by an arc cosine near one,
+/// accurate to 1.2e-7 / angle or to the root of that, and each azimuth contains it two to
+/// six times. It also adds exponents of the size 1 / v before they cancel.
 double mitsuba_rounding(const Row& row) {
     const double angle = std::min(1.2e-7 / std::max(std::abs(row.h), 1e-9), 3.5e-4);
     return rounding(row) + 6 * angle / scale_of_logistic(row) +
@@ -97,7 +98,7 @@ struct Differences {
     double rms() const { return std::sqrt(squares / values); }
 };
 
-/// Checks a table and prints what docs/hair_bsdf.md shows of it.
+/// Checks a table and prints the figures of docs/hair_bsdf.md.
 void compare(const Table& table, std::size_t settings) {
     ASSERT_EQ(table.size(), settings);
     std::printf(
@@ -108,7 +109,7 @@ void compare(const Table& table, std::size_t settings) {
         for (const Row& row : rows) peak = std::max(peak, row.exact);
         Differences exact, mitsuba, bessel;
         for (const Row& row : rows) {
-            // A relative difference says nothing where a lobe's tail has faded.
+            // Relative differences are meaningless where a lobe has decayed.
             if (row.exact < 1e-4 * peak) continue;
             const double same = row.ours * row.bessel / row.exact;
             EXPECT_NEAR(row.ours / row.exact, 1, rounding(row)) << row.h;
@@ -129,11 +130,11 @@ void compare(const Table& table, std::size_t settings) {
 
 const fs::path kHere = fs::path(LANCRET_SOURCE_DIR) / "tests" / "render_test";
 
-TEST(HairMitsuba, DiffersByMitsubasBesselFunctionAlone) {
+TEST(HairMitsuba, DiffersOnlyByMitsubasBesselFunction) {
     compare(read_table(kHere / "mitsuba_3.9.1_hair.csv"), 13);
 }
 
-TEST(SlowHairMitsuba, DiffersByMitsubasBesselFunctionAlone) {
+TEST(SlowHairMitsuba, DiffersOnlyByMitsubasBesselFunction) {
     const char* python = std::getenv("LANCRET_MITSUBA_PYTHON");
     if (!python || !*python)
         GTEST_SKIP() << "LANCRET_MITSUBA_PYTHON names no Python that has Mitsuba: `make "

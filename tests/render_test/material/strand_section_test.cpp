@@ -17,13 +17,13 @@ double apart(double a, double b) { return std::abs(std::remainder(a - b, 2 * M_P
 TEST(StrandSection, IsAsWideAsItsAxesShow) {
     EXPECT_FLOAT_EQ((StrandSection{0.6f, 0}.half_width()), 1);
     EXPECT_FLOAT_EQ((StrandSection{0.6f, kPif / 2}.half_width()), 0.6f);
-    // Between, the support of the ellipse: sqrt(cos^2 + 0.36 sin^2).
+    // In between, the support of the ellipse: sqrt(cos^2 + 0.36 sin^2).
     EXPECT_FLOAT_EQ((StrandSection{0.6f, kPif / 4}.half_width()), std::sqrt(0.68f));
 }
 
 TEST(StrandSection, PathsOfACircleAreThoseOfTheClosedForm) {
     // phi = pi / 2 - 2 gamma_o + p (2 gamma_t + pi), the chord 2 cos gamma_t, one Fresnel
-    // term [Marschner et al. 2003]. Some twenty roundings of 6e-8, at offsets where the
+    // term [Marschner et al. 2003]. About twenty roundings of 6e-8, at offsets where the
     // arc sine multiplies them by 1 / sqrt(1 - 0.95^2) = 3.2.
     for (const float turn : {0.0f, 1.0f, -2.5f})
         for (const float inclination : kInclinations)
@@ -47,9 +47,9 @@ TEST(StrandSection, PathsOfACircleAreThoseOfTheClosedForm) {
 }
 
 TEST(StrandSection, ALightOnAnAxisGoesStraightThrough) {
-    // Down the major axis: R comes back, TT goes on, TRT comes back, over the long way.
-    // pi / 2 is 4e-8 off in float, and each of three meetings with a tip of curvature 4
-    // multiplies that by up to 1 + 2 * 4: 3e-5.
+    // Along the major axis R is reflected back, TT continues straight, and TRT comes
+    // back. pi / 2 is off by 4e-8 in float, and each of three intersections at a tip of
+    // curvature 4 multiplies that by up to 1 + 2 * 4: 3e-5.
     const SectionPaths paths = section_paths({0.5f, kPif / 2}, 0, 1, 1.55f, 1.55f);
     EXPECT_LT(apart(paths.azimuth[0], M_PI / 2), 3e-5);
     EXPECT_LT(apart(paths.azimuth[1], -M_PI / 2), 3e-5);
@@ -86,9 +86,10 @@ TEST(StrandSection, ACircleGivesTheSameBits) {
 }
 
 TEST(StrandSection, NearACircleItIsNearIt) {
-    // Azimuths move by at most twice the turn of the normals at three places, 3 (1 -
+    // Azimuths change by at most twice the turn of the normals at three points, 3 (1 -
     // aspect) each times 1 / sqrt(1 - h^2) <= 3.3, against a logistic of scale 0.12: the
-    // value by less than 2 * 9 * 3.3 / 0.12 = 500 of 1 - aspect; and as it, linearly.
+    // value changes by less than 2 * 9 * 3.3 / 0.12 = 500 of 1 - aspect, and linearly
+    // with it.
     const HairModel model(material(0.3f, 0.3f, 0.035f, 0.3f));
     Random random{std::mt19937(2)};
     for (int i = 0; i < 500; ++i) {
@@ -106,9 +107,9 @@ TEST(StrandSection, NearACircleItIsNearIt) {
     }
 }
 
-TEST(StrandSection, WhiteFurnaceSendsAllLightOn) {
-    // With nothing absorbed the four attenuations sum to one whatever the paths: the
-    // rounding of five products. By quadrature as HairBsdf.DensityIntegratesToOne.
+TEST(StrandSection, WhiteFurnaceScattersAllLight) {
+    // Without absorption the four attenuations sum to one for any paths, up to the
+    // rounding of five products. By quadrature as in HairBsdf.DensityIntegratesToOne.
     Random random{std::mt19937(3)};
     const HairModel model(material(0.3f, 0.3f, 0.05f, 0));
     for (int i = 0; i < 5000; ++i) {

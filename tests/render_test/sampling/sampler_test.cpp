@@ -11,7 +11,7 @@ namespace {
 
 TEST(Sampler, EverySixteenSamplesFillEveryElementaryInterval) {
     // A (0, 2)-sequence has one of its 16 points in each box of area 1/16, for every
-    // shape of box; Owen's scrambling and a shuffle of whole runs keep that.
+    // shape of box; Owen scrambling and shuffles of whole runs preserve that.
     for (const std::uint32_t pixel : {0u, 7u, 123456u})
         for (int pair = 0; pair < 5; ++pair) {
             std::set<int> boxes[5];
@@ -28,7 +28,8 @@ TEST(Sampler, EverySixteenSamplesFillEveryElementaryInterval) {
 }
 
 TEST(Sampler, PairsAndPixelsAreIndependent) {
-    // Correlation of n = 4096 pairs of uniform numbers has a deviation of 1 / sqrt(n).
+    // The correlation of n = 4096 pairs of uniform numbers has a deviation of 1 /
+    // sqrt(n).
     Mean product_of_pairs, product_of_pixels;
     for (std::uint32_t i = 0; i < 4096; ++i) {
         Sampler a(1, i, 0), b(1, i + 1, 0);

@@ -13,7 +13,7 @@
 namespace lancret {
 namespace {
 
-/// Where a point is seen, within [-1, 1] across and up if in the picture.
+/// The projection of a point, within [-1, 1] across and up if inside the picture.
 Vec2f seen(const Camera& camera, const Vec3f& point) {
     const Vec3f p = camera.frame.transpose() * (point - camera.position);
     return {p.x() / -p.z() / (camera.tangent * camera.aspect),
@@ -56,8 +56,8 @@ TEST(Camera, OutOfFocusAPointIsADiscOfTheClosedFormSize) {
     camera.focus_distance = 20;
     std::mt19937 random(1);
     for (const float depth : {10.0f, 20.0f, 55.0f}) {
-        // A ray is at depth d where the pinhole's is, but for its place on the lens times
-        // 1 - d / f: similar triangles about the point in focus.
+        // At depth d a ray differs from the pinhole's by its position on the lens times 1
+        // - d / f: similar triangles about the point in focus.
         const float radius = 0.8f * std::abs(1 - depth / 20);
         const Vec2f place(0.3f, 0.8f);
         const Ray chief = camera.ray(place);
@@ -74,7 +74,7 @@ TEST(Camera, OutOfFocusAPointIsADiscOfTheClosedFormSize) {
             squares.add((at - middle).squaredNorm());
             x.add((at - middle).dot(camera.frame.col(0)));
         }
-        // Evenly over a disc: mean square radius R^2 / 2.
+        // Uniform over a disc: mean square radius R^2 / 2.
         EXPECT_NEAR(squares.value(), radius * radius / 2,
                     kSigmas * squares.error() + 1e-9);
         EXPECT_NEAR(x.value(), 0, kSigmas * x.error() + 2e-5);
@@ -82,10 +82,10 @@ TEST(Camera, OutOfFocusAPointIsADiscOfTheClosedFormSize) {
 }
 
 TEST(Camera, PictureOfAStrandOutOfFocusIsAsWideAsTheLensMakesIt) {
-    // A strand of 0.2 cm across the picture at 60 cm, focus at 30 cm, lens radius 3 cm. A
-    // ray from y on the lens aimed at Y in focus is at 2 Y - y there: the strand is seen
-    // at Y = (y + w) / 2, of variance (3^2 / 4 + 0.2^2 / 12) / 4; with a pixel's, p^2 /
-    // 12, for the place within it.
+    // A strand 0.2 cm wide across the picture at 60 cm, focus at 30 cm, lens radius 3 cm.
+    // A ray from y on the lens aimed at Y in focus is at 2 Y - y there: the strand
+    // appears at Y = (y + w) / 2, of variance (3^2 / 4 + 0.2^2 / 12) / 4, plus p^2 / 12
+    // for the position within a pixel.
     std::vector<Vec3f> row;
     for (int i = 0; i <= 8; ++i) row.push_back(Vec3f(float(20 * i - 80), 0, -60));
     const Curves curves = curves_through({row}, 0.1f);
@@ -109,13 +109,13 @@ TEST(Camera, PictureOfAStrandOutOfFocusIsAsWideAsTheLensMakesIt) {
             weight += alpha, second += alpha * at * at;
         }
     const double expected = (9 / 4.0 + 0.04 / 12) / 4 + pixel * pixel / 12;
-    // About a tenth of 800 x 256 / 15 hits of a variable whose square scatters as much
-    // as itself: 1 / sqrt(14,000) = 0.9 %.
+    // About a tenth of 800 x 256 / 15 hits of a variable whose square scatters by its own
+    // mean: 1 / sqrt(14,000) = 0.9 %.
     EXPECT_NEAR(second / weight, expected, 4.5 * 0.009 * expected);
     EXPECT_GT(weight, 10);
 }
 
-TEST(Camera, MatrixOfACameraGivesItBackWhateverItsScale) {
+TEST(Camera, MatrixOfACameraRestoresItAtAnyScale) {
     const Camera camera =
         look_at(Vec3f(3, 4, 5), Vec3f(0, 1, 0), Vec3f::UnitY(), 0.6f, 1.5f);
     for (const double scale : {1.0, 0.01, 30.0}) {
@@ -143,7 +143,7 @@ TEST(Camera, LensOfAStopIsThatOfItsFocalLength) {
     EXPECT_NEAR(lens_radius_of(2, 2 * std::atan(12 / 50.0f)), 1.25f, 1e-5f);
 }
 
-TEST(Camera, RefusesNothingToSee) {
+TEST(Camera, RefusesAnEmptySubject) {
     EXPECT_THROW(framed(Eigen::AlignedBox3f(), {}), std::invalid_argument);
     EXPECT_THROW(look_at(Vec3f::Ones(), Vec3f::Ones(), Vec3f::UnitY(), 1, 1),
                  std::invalid_argument);

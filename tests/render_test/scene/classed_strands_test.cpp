@@ -1,4 +1,4 @@
-// Strands of several numbers of segments in one scene.
+// Strands with different numbers of segments in one scene.
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 namespace lancret {
 namespace {
 
-/// Straight strands side by side, from z = 0 to 8: `fine` of them of 8 segments, then
-/// `coarse` of `segments`.
+/// Straight strands side by side, from z = 0 to 8: `fine` of them with 8 segments, then
+/// `coarse` with `segments`.
 Curves straight_strands(std::uint32_t fine, std::uint32_t coarse, std::uint32_t segments,
                         CurveBasis basis) {
     Curves out;
@@ -34,7 +34,7 @@ Curves straight_strands(std::uint32_t fine, std::uint32_t coarse, std::uint32_t 
     return out;
 }
 
-TEST(ClassedStrands, AreHitAsThoseThatAreAlike) {
+TEST(ClassedStrands, AreHitLikeUniformStrands) {
     for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
         for (const CurveShape shape : {CurveShape::flat, CurveShape::round}) {
             Curves alike = straight_strands(7, 0, 1, basis);
@@ -69,7 +69,7 @@ TEST(ClassedStrands, AreWidenedEachWithItsOwnPoints) {
     const std::vector<float> before = widen_thin_strands(curves, {&camera, 1}, 8, 1);
     ASSERT_EQ(before.size(), curves.points.size());
     for (const float radius : before) EXPECT_EQ(radius, 0.1f);
-    // An eighth of the picture at about 990 cm: 45 cm, nearly the same all along.
+    // An eighth of the picture at about 990 cm: 45 cm, almost constant along the strand.
     for (const Point4f& p : curves.points.span()) EXPECT_NEAR(p.w, 45, 1);
     for (const Point4f& t : curves.tangents.span()) EXPECT_LT(t.w, 0);
 }
@@ -88,7 +88,7 @@ TEST(ClassedStrands, ATableThatDoesNotFitIsRefused) {
     refused([](Curves& c) { c.segments[9] = 0; });
 }
 
-TEST(ClassedStrands, AreTakenApartByTheirValues) {
+TEST(ClassedStrands, AreSelectedByTheirValues) {
     const Curves curves = straight_strands(3, 2, 2, CurveBasis::bspline);
     CheckView view;
     view.scale.clean = 0.5f;

@@ -1,4 +1,4 @@
-// Strands of elliptic section as rays meet them.
+// Ray hits on strands of elliptic section.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace lancret {
 namespace {
 
-/// A strand along +x, x = 0 to 4, whose face looks along +z: the minor axis.
+/// A strand along +x, x = 0 to 4, with its face, the minor axis, along +z.
 Curves with_face(float radius) {
     Curves curves =
         curves_through({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}}, radius);
@@ -25,7 +25,7 @@ TEST(EllipticStrands, AreAsWideAsTheirSectionShows) {
     for (int turn = 0; turn < 24; ++turn) {
         const float a = 0.2618f * float(turn);
         const Vec3f back(0, std::sin(a), std::cos(a)), side(0, std::cos(a), -std::sin(a));
-        // Half of what is seen: the support of the ellipse along `side`.
+        // Half of the visible width: the support of the ellipse along `side`.
         const float half = radius * std::hypot(std::cos(a), aspect * std::sin(a));
         for (const float h : {-1.02f, -0.98f, -0.4f, 0.0f, 0.7f, 0.98f, 1.02f}) {
             Ray ray;
@@ -35,12 +35,13 @@ TEST(EllipticStrands, AreAsWideAsTheirSectionShows) {
             ASSERT_EQ(bool(hit), std::abs(h) < 1) << turn << ' ' << h;
             EXPECT_EQ(scene.occluded(ray), bool(hit));
             if (!hit) continue;
-            // facing = back, tangent = +x: facing x tangent is (0, cos a, -sin a). Places
-            // at 5 cm are good to 6e-7, over a half width of 0.06 or more, doubled.
+            // facing = back, tangent = +x: facing x tangent is (0, cos a, -sin a).
+            // Positions near 5 cm are accurate to 6e-7, over a half width of at least
+            // 0.06, doubled.
             EXPECT_NEAR(hit->strand.h, h, 2e-5) << turn;
             EXPECT_EQ(hit->strand.section.aspect, aspect);
-            // The major axis is +-y: at angle a from `side` towards `back`, either way
-            // on.
+            // The major axis is +-y, at angle a from `side` towards `back`, of either
+            // sign.
             EXPECT_NEAR(std::sin(hit->strand.section.angle - a), 0, 1e-5) << turn;
         }
     }

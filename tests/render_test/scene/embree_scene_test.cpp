@@ -38,9 +38,9 @@ TEST(HairScene, FlatStraightStrandIsHitWhereTheRibbonIs) {
         for (int i = 0; i < 1000; ++i) {
             const Vec3f from(8 * unit(random) - 2, 6, 14 * unit(random) - 5);
             const float x = 0.1f + 3.8f * unit(random), h = 1.98f * unit(random) - 0.99f;
-            // The ribbon at x holds the points axis + h radius across, where across is
-            // perpendicular to the tangent and to the ray, whose direction depends on h
-            // by a fraction radius / distance of itself: solved by repetition.
+            // The ribbon at x contains the points axis + h radius across, where across is
+            // perpendicular to the tangent and to the ray. The ray's direction depends on
+            // h by a fraction radius / distance of itself: solved by iteration.
             const Vec3f axis(x, 1, 2), tangent(1, 0, 0);
             Vec3f target = axis, across;
             for (int k = 0; k < 8; ++k) {
@@ -51,7 +51,7 @@ TEST(HairScene, FlatStraightStrandIsHitWhereTheRibbonIs) {
             }
             const auto hit = scene.intersect(ray_to(from, target));
             ASSERT_TRUE(hit) << i;
-            // Coordinates of 15 cm carry 1e-6 cm each; the ray multiplies that by up to
+            // Coordinates of 15 cm carry 1e-6 cm each, which the ray multiplies by up to
             // 1 / sin of its angle to the strand, here below 4.
             EXPECT_LT((hit->position - target).norm(), 3e-5) << i;
             EXPECT_NEAR(hit->strand.h, h, 3e-5 / radius) << i;
@@ -65,7 +65,7 @@ TEST(HairScene, FlatStraightStrandIsHitWhereTheRibbonIs) {
     }
 }
 
-TEST(HairScene, BuildingTellsHowFarItIs) {
+TEST(HairScene, BuildingReportsProgress) {
     std::vector<std::vector<Vec3f>> rows;
     for (int s = 0; s < 20000; ++s) {
         rows.emplace_back();
@@ -104,7 +104,7 @@ TEST(HairScene, RoundStrandIsHitOnItsCylinder) {
             // Seen along -z: facing is +z, tangent +x, facing x tangent = +y.
             const Vec3f outward(0, y, std::sqrt(1 - y * y));
             // Embree finds the root of the distance to the surface to about 1e-4 radii;
-            // near the rim that is multiplied by 1 / sqrt(1 - y^2), at most 7.
+            // near the rim the error is multiplied by 1 / sqrt(1 - y^2), at most 7.
             EXPECT_LT((hit->position - (Vec3f(1.6f, 1, 2) + radius * outward)).norm(),
                       2e-3f * radius)
                 << y;
@@ -125,7 +125,8 @@ TEST(HairScene, PrimitivesNameTheirStrand) {
         const auto hit = scene.intersect(ray_to(Vec3f(0, 0, 60), target));
         if (!hit) continue;
         seen.insert(hit->strand.index);
-        // The hit lies within its strand's own control points' box, grown by the radius.
+        // The hit lies within the box of its strand's control points, grown by the
+        // radius.
         Eigen::AlignedBox3f box;
         for (std::uint32_t j = 0; j < curves.points_of(0); ++j)
             box.extend(
@@ -225,7 +226,8 @@ TEST(StrandClearance, AStraightStrandIsNotMetAgain) {
             Ray ray;
             ray.origin = hit->position;
             ray.direction = uniform_sphere({unit(random), unit(random)});
-            // Rays nearer to the strand than 1/7 are let go before they have left.
+            // Rays at less than 1/7 to the strand count before they have left the
+            // cylinder.
             if (std::abs(ray.direction.x()) > 0.99f) continue;
             ++tries;
             with_no_clearance += scene.occluded(ray);
@@ -234,8 +236,8 @@ TEST(StrandClearance, AStraightStrandIsNotMetAgain) {
         }
         EXPECT_GT(tries, 10000);
         EXPECT_EQ(again, 0);
-        // Embree itself passes over a ribbon within two radii, which rays nearly along
-        // the strand outrun, and over nothing of a round strand.
+        // Embree itself ignores a ribbon within two radii, which rays almost along the
+        // strand exceed, and ignores nothing of a round strand.
         EXPECT_GT(with_no_clearance, shape == CurveShape::flat ? 50 : tries / 4);
     }
 }

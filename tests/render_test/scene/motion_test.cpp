@@ -16,14 +16,14 @@ TEST(Camera, APointIsWhereItsRayShowsIt) {
         const Ray ray = camera.ray(place);
         const auto found = camera.place_of(ray.origin + 17 * ray.direction);
         ASSERT_TRUE(found);
-        // Positions of up to 50 cm, rounded to 4e-6, over a picture 12 cm high.
+        // Positions of up to 50 cm, rounded to 4e-6, in a picture 12 cm high.
         EXPECT_LT((*found - place).norm(), 4e-6f);
     }
     EXPECT_FALSE(camera.place_of(camera.position - camera.view()));
 }
 
-/// Two upright strands 10 cm before a camera, a wall behind them; at the end all has
-/// moved.
+/// Two upright strands 10 cm in front of a camera, and a wall behind them; everything
+/// moves.
 struct Moving {
     Curves first, last;
     TriangleMesh wall, wall_after;
@@ -62,14 +62,14 @@ struct Moving {
 };
 
 TEST(Motion, IsThatOfTheClosedFormOfAStepAcrossThePicture) {
-    // 20 pixels show 2 * 10 * tan(0.5) cm where the strands are, 3/2 of it at the wall.
+    // 20 pixels show 2 * 10 * tan(0.5) cm at the strands, and 3/2 of it at the wall.
     const Vec3f way(0.5f, 0.25f, 0);
     const Image image = Moving(way).image(true);
     const float pixels_per_cm = 1 / std::tan(0.5f);
     int strands = 0, walls = 0;
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
         if (image.id[i] == kNothingId) continue;
-        // Pixels that see one thing alone, by their mean tangent.
+        // Only pixels that see a single object, identified by their mean tangent.
         const float strand = image.tangent[i].norm();
         if (strand != 0 && strand < 0.9999f) continue;
         const float scale = strand > 0 ? pixels_per_cm : pixels_per_cm * 2 / 3;

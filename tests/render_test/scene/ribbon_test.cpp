@@ -1,4 +1,4 @@
-// Ribbons: strands with a face of their own.
+// Ribbons: strands with faces of their own.
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 namespace lancret {
 namespace {
 
-/// A strand along +x from 0 to 4 whose face at x = 0 looks along +z and turns about +x by
-/// `turn` radian a cm.
+/// A strand along +x from 0 to 4 whose face looks along +z at x = 0 and turns about +x by
+/// `turn` radian per cm.
 Curves twisted(float radius, float turn) {
     Curves curves =
         curves_through({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}}, radius,
@@ -52,15 +52,15 @@ TEST(Ribbon, IsHitAcrossItsWholeWidthOnBothSidesAndNotBeyond) {
             EXPECT_NEAR(hit->shading_normal.z(), side, 1e-5);
             EXPECT_NEAR(hit->strand.along, 1.7f / 4, 1e-3);
         }
-    // Seen on its edge it is not there, which a strand that faces the ray would be.
+    // A ribbon is invisible edge-on; a strand that faces the ray would be hit.
     EXPECT_FALSE(scene.intersect(ray_along({1.7f, 5, 0.01f}, {0, -1, 0})));
 }
 
 TEST(Ribbon, NormalTurnsWithItsFrame) {
-    // The normals' B-spline is their unit circle, shrunk by a factor that is the same all
-    // along, and its angle runs ahead by under 0.05^3 between points. A ribbon that
-    // twists is a helicoid: its normal off the axis leans by atan(0.05 y), and on the
-    // axis, where these rays meet it, by nothing.
+    // The B-spline of the normals is their unit circle, shrunk by a constant factor, and
+    // its angle leads by less than 0.05^3 between points. A twisted ribbon is a helicoid:
+    // off the axis its normal leans by atan(0.05 y); on the axis, where these rays hit
+    // it, it does not lean.
     const Curves curves = twisted(0.3f, 0.05f);
     const HairScene scene(curves);
     for (int i = 1; i < 40; ++i) {
@@ -75,7 +75,7 @@ TEST(Ribbon, NormalTurnsWithItsFrame) {
     }
 }
 
-TEST(Ribbon, DoesNotMeetItselfAgain) {
+TEST(Ribbon, IsNotHitAgainByRaysThatLeaveIt) {
     const Curves curves = twisted(0.3f, 0.05f);
     const HairScene scene(curves);
     Random random{std::mt19937(4)};
@@ -86,7 +86,7 @@ TEST(Ribbon, DoesNotMeetItselfAgain) {
         const auto hit = scene.intersect(ray_along(from, target - from));
         if (!hit) continue;
         const Vec3f d = uniform_sphere(random.pair());
-        // A helicoid is met again by rays along it: its curvature is 0.05 / cm.
+        // Rays along a helicoid hit it again: its curvature is 0.05 / cm.
         if (std::abs(d.dot(hit->shading_normal)) < 0.05f) continue;
         ++tries;
         again += scene.occluded(ray_from(*hit, hit->shading_normal, d, 0));
@@ -95,9 +95,9 @@ TEST(Ribbon, DoesNotMeetItselfAgain) {
     EXPECT_EQ(again, 0);
 }
 
-TEST(Ribbon, HitsHaveANormalWhereTwoTimesFaceAgainstEachOther) {
-    // Halfway between the two times nothing is left of the face; before and after it is
-    // that of the nearer time.
+TEST(Ribbon, HitsHaveANormalBetweenTimesOfOppositeFaces) {
+    // Halfway between the two times the faces cancel; before and after, the face is that
+    // of the nearer time.
     const Curves from = twisted(0.3f, 0.05f);
     Curves to = twisted(0.3f, 0.05f);
     for (Point4f& n : to.normals.span()) n = {-n.x, -n.y, -n.z, 0};
@@ -133,7 +133,7 @@ TEST(Ribbon, AHitWithoutANormalFacesTheRay) {
         hit.position = Vec3f(1.5f, 0.1f, 0);
         hit.normal = Vec3f(0, none, 0);
         shape.complete_strand(ray, hit);
-        // The ray's way back, without its part along the strand (+x).
+        // The direction back along the ray, less its part along the strand (+x).
         const Vec3f facing = Vec3f(0, -0.2f, 1).normalized();
         EXPECT_LT((hit.normal - facing).norm(), 1e-6f) << none;
         EXPECT_LT((hit.shading_normal - facing).norm(), 1e-6f) << none;
@@ -177,7 +177,7 @@ TEST(Ribbon, WhiteBladesInAnEvenSkyAreAsBrightAsTheSky) {
         if (pixel.w() >= 0.5f) mean.add(pixel.x() / pixel.w());
     EXPECT_GT(mean.count, 300);
     EXPECT_LT(mean.error(), 0.003);
-    // Rounding: the colour of no absorption is 1 to 1e-6 a bounce.
+    // Rounding: the colour without absorption is 1 to 1e-6 per bounce.
     EXPECT_NEAR(mean.value(), 1, kSigmas * mean.error() + 1e-5);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kCrease = 1.05f;
 
-/// A cube from -1 to 1, outward.
+/// A cube from -1 to 1, facing outward.
 TriangleMesh cube() {
     TriangleMesh mesh;
     for (int i = 0; i < 8; ++i)
@@ -27,13 +27,13 @@ TEST(SmoothNormals, OfASphereAreRadialAcrossItsSeamToo) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (int k = 0; k < 3; ++k) {
             const Vec3f radial = mesh.positions[mesh.triangles[t][k]].normalized();
-            // Triangles without area at a pole have none.
+            // Triangles without area at a pole have no normal.
             if (normals[t][k].isZero()) {
                 EXPECT_GT(std::abs(radial.y()), 0.9f);
                 continue;
             }
-            // The triangles round a vertex are not quite alike to both sides, by the
-            // square of a cell's angle of 0.26.
+            // The triangles on both sides of a vertex differ slightly, by the square of a
+            // cell's angle of 0.26.
             EXPECT_LT((normals[t][k] - radial).norm(), 0.07f) << t;
         }
 }
@@ -48,8 +48,9 @@ TEST(SmoothNormals, SharpEdgesStay) {
                                .normalized();
         for (const Vec3f& n : normals[t]) EXPECT_LT((n - face).norm(), 1e-6f);
     }
-    // And round off beyond the crease: a cube's corner is then its diagonal, since three
-    // right angles meet there however the faces are cut.
+    // Below the crease angle edges are rounded: the corner of a cube then has the
+    // direction of the diagonal, since three right angles meet there however the faces
+    // are cut.
     const CornerNormals round = corner_normals(mesh.triangles, mesh.positions, 1.6f);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (int k = 0; k < 3; ++k)
@@ -68,8 +69,8 @@ TEST(SmoothNormals, AFanOfManyTrianglesTakesNoLonger) {
         fan.triangles.push_back({0, 1 + i, 1 + (i + 1) % kMany});
     }
     const CornerNormals normals = corner_normals(fan.triangles, fan.positions, kCrease);
-    // A cone: at its point the mean is its axis. Angles of 1e-5 from differences of
-    // places near one are good to 6e-8 / 3e-5 each, and that averages out.
+    // A cone: at its apex the mean is its axis. Angles of 1e-5 from differences of
+    // positions near one are accurate to 6e-8 / 3e-5 each, and the errors average out.
     EXPECT_LT((normals[0][0] - Vec3f::UnitZ()).norm(), 1e-3f);
 }
 
@@ -95,7 +96,7 @@ TEST(SmoothNormals, HitsOfASphereHaveItsNormalAndStartOnIt) {
         lifted += std::abs(9 - (hit->position + hit->mesh.lift).norm());
     }
     // Facets are off by up to the half diagonal of a cell, 0.09 radian; interpolated
-    // normals by its square and what the vertices' own are off.
+    // normals by its square and the error of the vertex normals.
     EXPECT_GT(flat, 0.06);
     EXPECT_LT(smooth, 0.015);
     EXPECT_LT(lifted, 0.3 * below);
@@ -117,7 +118,7 @@ Image even_sky(const TriangleMesh& mesh, const HairSceneOptions& options,
 }
 
 TEST(SmoothNormals, AWhiteBallOfFewFacetsInAnEvenSkyLosesNothing) {
-    // Light that the smooth normal sends into the facets is met again and sent on.
+    // Light that a smooth normal sends into the facets hits them again and is scattered.
     const TriangleMesh mesh = sphere_mesh(10, 6);
     const Image image = even_sky(mesh, {.crease = kCrease});
     Mean mean;
@@ -129,7 +130,7 @@ TEST(SmoothNormals, AWhiteBallOfFewFacetsInAnEvenSkyLosesNothing) {
 }
 
 TEST(SmoothNormals, NoLightLeaksIntoAClosedMesh) {
-    // A camera within a ball, where the sky is not.
+    // A camera inside a ball, where the sky is invisible.
     const TriangleMesh mesh = sphere_mesh(10, 6);
     Camera camera;
     camera.position = Vec3f(1, 2, 0);
@@ -148,14 +149,14 @@ TEST(SmoothNormals, NoLightLeaksIntoAClosedMesh) {
         EXPECT_EQ(pixel.w(), 1);
         sum += pixel.x();
     }
-    // A ray that starts within a rounding of an edge may slip between two triangles.
+    // A ray that starts within a rounding of an edge may pass between two triangles.
     EXPECT_LT(sum / double(image.rgba.size()), 1e-4);
 }
 
 TEST(SmoothNormals, TheTerminatorIsThatOfASphere) {
-    // A ball of 24 x 12 facets, lit from the right by a small far light: what it shows is
-    // cos of the smooth normal up to where that ends, with no facet dark before. On a
-    // sphere of that radius the irradiance at the place seen is cos+.
+    // A ball of 24 x 12 facets, lit from the right by a small distant light: it shows the
+    // cosine of the smooth normal up to the terminator, without dark facets before it. On
+    // a sphere of that radius the irradiance at the visible point is cos+.
     const TriangleMesh mesh = sphere_mesh(24, 12);
     const Curves none = curves_through({}, 0.1f);
     const HairScene geometry(none, &mesh, {.crease = kCrease});

@@ -58,8 +58,8 @@ TEST(StrandAxis, DerivativeMatchesFiniteDifferences) {
     for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
         const Curves curves = random_strand(basis);
         for (const float u : {0.125f, 0.5f, 0.8f}) {
-            // Central: round-off 2e-7 / 2^-6, and step^2 / 6 of a third derivative below
-            // 6 * 4 in sum (differences of numbers within one).
+            // Central differences: round-off 2e-7 / 2^-6, and step^2 / 6 of a third
+            // derivative below 6 * 4 in sum (differences of numbers within one).
             const float step = 0x1p-7f;
             const Eigen::Vector4f slope = (axis_point(curves, 1, u + step).value -
                                            axis_point(curves, 1, u - step).value) /

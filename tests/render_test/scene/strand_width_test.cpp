@@ -20,13 +20,13 @@ Curves strand_at(float x, float z) {
     return curves_through({row}, 0.5f, CurveShape::flat, CurveBasis::bspline);
 }
 
-/// From (0, 0, 50), a picture 40 cm high at the origin.
+/// A camera at (0, 0, 50); the picture is 40 cm high at the origin.
 Camera made_camera() {
     return look_at(Vec3f(0, 0, 50), Vec3f::Zero(), Vec3f::UnitY(), 2 * std::atan(0.4f),
                    1);
 }
 
-/// Whether the widest is so wide, to a thousandth of a pixel.
+/// Whether the widest strand has this width, to a thousandth of a pixel.
 testing::AssertionResult widest_is(float pixels, const Curves& curves,
                                    std::span<const Camera> cameras) {
     const bool above = any_wider(curves, cameras, 200, pixels - 1e-3f),
@@ -37,7 +37,7 @@ testing::AssertionResult widest_is(float pixels, const Curves& curves,
 
 TEST(StrandWidth, IsThatOfTheProjection) {
     const std::array cameras{made_camera()};
-    // 1 cm of 40 cm in 200 pixels; at half the distance twice that.
+    // 1 cm of 40 cm in 200 pixels; twice that at half the distance.
     EXPECT_TRUE(widest_is(5, strand_at(0, 0), cameras));
     EXPECT_TRUE(widest_is(10, strand_at(0, 25), cameras));
 }
@@ -55,7 +55,7 @@ TEST(StrandWidth, DoesNotCountBehindTheCameraOrFarOutsideThePicture) {
     EXPECT_TRUE(any_wider(strand_at(29, 0), cameras, 200, 0));
 }
 
-/// A look into curls, strands as wide as the greatest that are drawn flat.
+/// A view into curls, with strands as wide as the widest that are drawn flat.
 struct AtTheSwitch {
     static constexpr int kSize = 64;
     static constexpr float kRadius = 0.04f, kHigh = 2 * kRadius * kSize / kFlatPixels;
@@ -79,8 +79,7 @@ struct AtTheSwitch {
     }
 };
 
-/// The luminance of squares of 8 x 8 pixels: one and the next of them differ as places
-/// of the picture do.
+/// Luminance of squares of 8 x 8 pixels, which differ with their position in the picture.
 Mean squares_of(const Image& image) {
     constexpr int kSquare = 8, kSize = AtTheSwitch::kSize;
     Mean out;
@@ -100,10 +99,10 @@ TEST(StrandWidth, TheSwitchFromFlatToRoundKeepsTheBrightness) {
     AtTheSwitch scene;
     const Mean flat = squares_of(scene.image(CurveShape::flat, 1));
     const Mean round = squares_of(scene.image(CurveShape::round, 2));
-    // Noise of 4096 pixels of 64 samples is 0.6 %; what an eye tells apart side by side
-    // is 2 % (Weber's fraction).
+    // The noise of 4096 pixels of 64 samples is 0.6 %; side by side an eye distinguishes
+    // 2 % (Weber's fraction).
     EXPECT_NEAR(round.value(), flat.value(), 0.02 * flat.value());
-    // Nor do light and shade move: the contrast among squares stays.
+    // Light and shade do not move either: the contrast between squares is unchanged.
     EXPECT_NEAR(round.error(), flat.error(), 0.1 * flat.error());
 }
 

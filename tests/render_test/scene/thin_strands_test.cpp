@@ -11,13 +11,13 @@ namespace {
 
 constexpr int kHeight = 32;
 
-/// From 50 cm, on a picture 40 cm high: a pixel is 40 / 32 = 1.25 cm wide.
+/// A camera at 50 cm; the picture is 40 cm high, and a pixel 40 / 32 = 1.25 cm wide.
 Camera made_camera() {
     return look_at(Vec3f(0, 0, 50), Vec3f::Zero(), Vec3f::UnitY(), 2 * std::atan(0.4f),
                    1);
 }
 
-/// Straight strands across the picture, slightly tilted so that they meet pixels anyhow.
+/// Straight strands across the picture, slightly tilted to cross pixels at any offset.
 Curves lines(float radius, CurveShape shape, CurveBasis basis, int count = 5) {
     std::vector<std::vector<Vec3f>> rows;
     for (int i = 0; i < count; ++i) {
@@ -32,7 +32,7 @@ Curves lines(float radius, CurveShape shape, CurveBasis basis, int count = 5) {
     return curves_through(rows, radius, shape, basis);
 }
 
-TEST(ThinStrands, AreWidenedToThePixelsAskedForAndOthersAreNot) {
+TEST(ThinStrands, AreWidenedToTheRequestedPixelsAndOthersAreNot) {
     Curves curves = lines(0.1f, CurveShape::flat, CurveBasis::bspline);
     const auto before = widen_thin_strands(curves, std::array{made_camera()}, kHeight, 2);
     ASSERT_EQ(before.size(), curves.points.size());
@@ -53,7 +53,7 @@ TEST(ThinStrands, TheNearestOfSeveralCamerasChooses) {
     EXPECT_NEAR(curves.points[0].w, 1.25f, 1e-5f);
 }
 
-TEST(ThinStrands, BehindTheCameraStayAsTheyAre) {
+TEST(ThinStrands, BehindTheCameraAreUnchanged) {
     Camera camera = made_camera();
     camera.position.z() = -5;
     Curves curves = lines(0.1f, CurveShape::flat, CurveBasis::bspline);
@@ -61,8 +61,8 @@ TEST(ThinStrands, BehindTheCameraStayAsTheyAre) {
     EXPECT_EQ(curves.points[0].w, 0.1f);
 }
 
-/// The mean coverage of a picture with strands widened to `pixels`, and its error: that
-/// of the mean over pictures of independent samples.
+/// Mean coverage of a picture with strands widened to `pixels`, and its standard error,
+/// over pictures of independent samples.
 Mean coverage(Curves curves, float pixels, int pictures, int samples,
               const Vec3f& sky = Vec3f::Zero()) {
     const auto radii =
@@ -92,10 +92,10 @@ Mean coverage(Curves curves, float pixels, int pictures, int samples,
 }
 
 TEST(ThinStrands, CoverTheirTrueWidthInThePicture) {
-    // Five strands 40 cm long within the picture, longer by their tilt, of true width 0.2
-    // in 40 x 40 cm; what is drawn is 2 pixels wide. What faces a ray at an angle to the
-    // sight is stretched in the picture by 1 / cos: sqrt(1 + y^2 / 50^2), y^2 that of the
-    // strand's middle and 1 / 3 for its tilt.
+    // Five strands of true width 0.2, 40 cm long within the picture, plus their tilt, in
+    // 40 x 40 cm; they are drawn 2 pixels wide. A surface facing a ray that is inclined
+    // to the view is stretched in the picture by 1 / cos: sqrt(1 + y^2 / 50^2), with y^2
+    // that of the strand's middle plus 1 / 3 for its tilt.
     double expected = 0;
     for (const double y : {-12, -6, 0, 6, 12})
         expected += std::sqrt(1 + (y * y + 1 / 3.0) / 2500) * 40 * std::hypot(1, 0.05) *
@@ -103,8 +103,8 @@ TEST(ThinStrands, CoverTheirTrueWidthInThePicture) {
     for (const CurveShape shape : {CurveShape::flat, CurveShape::round})
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
             const Mean wide = coverage(lines(0.1f, shape, basis), 2, 16, 16);
-            // The drawn tube's outline stands at asin(r / d), d = 50 r / 1.25: 1e-4 wider
-            // than r / d; and the tilt turns the stretch by 0.05^2.
+            // The outline of the drawn tube is at asin(r / d), d = 50 r / 1.25: wider
+            // than r / d by 1e-4; and the tilt turns the stretch by 0.05^2.
             EXPECT_NEAR(wide.value(), expected, kSigmas * wide.error() + 5e-4 * expected);
         }
 }
@@ -115,11 +115,12 @@ TEST(ThinStrands, HaveLessNoiseThanStrandsMetByChance) {
                                4),
                narrow = coverage(lines(0.02f, CurveShape::flat, CurveBasis::bspline), 0,
                                  24, 4);
-    // The same cover, to the error of either.
+    // Equal coverage, to the error of either.
     EXPECT_NEAR(wide.value(), narrow.value(),
                 kSigmas * std::hypot(wide.error(), narrow.error()) + 5e-4 * wide.value());
-    // A strand is drawn 31 times as wide: binomial noise of coverage falls by the root of
-    // that, 5.6; by half of it at least, for 24 pictures tell an error to 15 %.
+    // A strand is drawn 31 times too wide: the binomial noise of coverage falls by the
+    // root of that, 5.6. At least half of it is required, since 24 pictures estimate an
+    // error to 15 %.
     EXPECT_LT(wide.error(), narrow.error() / 2.8);
 }
 
@@ -143,14 +144,14 @@ TEST(ThinStrands, RaysThatLookThroughThemAreCounted) {
         record.clear();
         return trace_path(scene, settings, ray, sampler).rays;
     };
-    // Between two strands. Then to a strand, on behind it, and where it scatters.
+    // Between two strands; then to a strand, to the one behind it, and the scattered ray.
     EXPECT_EQ(rays(3), 1u);
     EXPECT_EQ(rays(0.15f), 3u);
     EXPECT_EQ(record.size(), 3u);
 }
 
 TEST(ThinStrands, AWhiteGroomInAnEvenSkyIsAsBrightAsItsCoverage) {
-    // By first hits, shadow and bounce rays together: radiance is coverage times the sky.
+    // First hits, shadow and bounce rays together: radiance is coverage times the sky.
     const Curves curves = hairy_sphere(800, 8, 0.05f);
     const auto copy = [&] { return hairy_sphere(800, 8, 0.05f); };
     const Mean light = coverage(copy(), 1, 8, 16, Vec3f::Ones());
@@ -160,9 +161,9 @@ TEST(ThinStrands, AWhiteGroomInAnEvenSkyIsAsBrightAsItsCoverage) {
                 kSigmas * std::hypot(light.error(), cover.error()) + 1e-5);
 }
 
-TEST(ThinStrands, LetShadowRaysByInTheShareOfTheirWidth) {
-    // Parallel strands 1 cm apart, true width 0.2 and drawn 0.8: of rays at right angles
-    // a fifth is stopped.
+TEST(ThinStrands, PassShadowRaysInProportionToTheirWidth) {
+    // Parallel strands 1 cm apart, of true width 0.2 and drawn width 0.8: a fifth of the
+    // perpendicular rays is blocked.
     std::vector<std::vector<Vec3f>> rows;
     for (int i = -20; i <= 20; ++i)
         rows.push_back(
@@ -186,7 +187,7 @@ TEST(ThinStrands, LetShadowRaysByInTheShareOfTheirWidth) {
     EXPECT_EQ(occluded.value(), met.value());  // the same ray has the same answer
 }
 
-TEST(ThinStrands, RefusesWhatIsNoWidth) {
+TEST(ThinStrands, RefusesInvalidWidths) {
     Curves curves = lines(0.1f, CurveShape::flat, CurveBasis::bspline);
     EXPECT_THROW(widen_thin_strands(curves, {}, 0, 1), std::invalid_argument);
     EXPECT_THROW(widen_thin_strands(curves, {}, 10, -1), std::invalid_argument);

@@ -17,7 +17,7 @@ std::string error_of(std::string_view text) {
     });
 }
 
-TEST(PreviewSettings, LightsThatWouldDoNothingAreErrors) {
+TEST(PreviewSettings, IneffectiveLightSettingsAreErrors) {
     EXPECT_EQ(error_of("[light]\nstrength = 2\n"),
               "g.toml:2: 'strength' needs a 'sky', 'environment' or 'key'");
     EXPECT_EQ(error_of("[light]\nsky = [1, 1, 1]\nrotation_degrees = 9\n"),
@@ -43,7 +43,7 @@ PreviewSettings settings_of(std::string_view text) {
     return settings;
 }
 
-TEST(PreviewSettings, LightsOfEachKindShineWhereTheyAreSaidToBe) {
+TEST(PreviewSettings, LightsOfEachKindShineFromTheirPlace) {
     const PreviewSettings settings = settings_of(R"(
         [light]
         strength = 2
@@ -93,7 +93,7 @@ TEST(PreviewSettings, PresetsAreTheMelaninOfTheirName) {
               "blond, brown, black");
 }
 
-TEST(PreviewSettings, MaterialSaysHowStrandsDiffer) {
+TEST(PreviewSettings, MaterialSetsHowStrandsDiffer) {
     const PreviewSettings settings = settings_of(
         "[material]\nmelanin_variation = 0.3\nroughness_variation = 0.2\nseed = 7\n"
         "root_colour = [0.1, 0.05, 0.02]\ntip_colour = [0.5, 0.4, 0.3]\n"
@@ -166,7 +166,7 @@ TEST(PreviewSettings, AStopOpensTheLensAndTheTargetIsInFocus) {
               "g.toml:2: 'focus_distance' needs an 'f_stop'");
 }
 
-TEST(PreviewSettings, RegularisationIsOnUnlessSaidOtherwise) {
+TEST(PreviewSettings, RegularisationIsOnByDefault) {
     const auto later = [](std::string_view text) {
         const TomlTable toml = TomlTable::from_text(text, "g.toml");
         return later_hair(read_preview_settings(toml, Vec3f::UnitY()));
@@ -181,7 +181,7 @@ TEST(PreviewSettings, RegularisationIsOnUnlessSaidOtherwise) {
                 testing::StartsWith("g.toml:2: 'regularisation'"));
 }
 
-TEST(PreviewSettings, LobesAreAutomaticUnlessSaidOtherwise) {
+TEST(PreviewSettings, LobesAreAutomaticByDefault) {
     const auto lobes = [](std::string_view text) {
         return settings_of(text).render.path.lobes;
     };

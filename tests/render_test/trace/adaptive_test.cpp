@@ -14,7 +14,7 @@
 namespace lancret {
 namespace {
 
-/// Pixels of `samples` samples with that mean luminance and variance among samples.
+/// Pixels with `samples` samples, this mean luminance and this variance among samples.
 Film film_of(int width, int height, std::uint32_t samples, float mean, float variance) {
     Film film(width, height, {.variance = true});
     std::ranges::fill(film.samples, samples);
@@ -27,7 +27,7 @@ Film film_of(int width, int height, std::uint32_t samples, float mean, float var
 }
 
 TEST(Adaptive, EvenPixelsNeedTheVarianceOverTheSquareOfTheError) {
-    // An error of 0.1 of the mean 2, of a variance 3 among samples: 3 / 0.2^2 = 75.
+    // An error of 0.1 of the mean 2, for a variance of 3 among samples: 3 / 0.2^2 = 75.
     const Film film = film_of(9, 5, 8, 2, 3);
     for (const std::uint32_t n : samples_needed(film, 0.1f, 1000)) {
         EXPECT_GE(n, 75u);  // rounded up, by float or not
@@ -35,7 +35,7 @@ TEST(Adaptive, EvenPixelsNeedTheVarianceOverTheSquareOfTheError) {
     }
 }
 
-TEST(Adaptive, NoPixelNeedsMoreThanTheMost) {
+TEST(Adaptive, NoPixelNeedsMoreThanTheLimit) {
     for (const std::uint32_t n : samples_needed(film_of(4, 4, 8, 2, 3), 0.1f, 32))
         EXPECT_EQ(n, 32u);
 }
@@ -67,7 +67,7 @@ struct GroomSettings : HairyBall {
     }
 };
 
-/// As adaptive.h has it: over the mean of what is covered.
+/// As defined in adaptive.h: over the mean of covered pixels.
 double noise(const Image& image, const Image& reference) {
     double squares = 0, sum = 0, coverage = 0;
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
@@ -78,7 +78,7 @@ double noise(const Image& image, const Image& reference) {
     return std::sqrt(squares / coverage) / (sum / coverage);
 }
 
-TEST(Adaptive, ThePictureReachesItsNoiseWithFewerPathsThanAnEvenOne) {
+TEST(Adaptive, ThePictureReachesItsNoiseWithFewerPathsThanUniformSampling) {
     GroomSettings groom;
     groom.settings.seed = 7;
     const Image reference = groom.image();
@@ -87,8 +87,8 @@ TEST(Adaptive, ThePictureReachesItsNoiseWithFewerPathsThanAnEvenOne) {
     for (const float target : {0.2f, 0.1f}) {
         groom.settings.noise = target;
         const double reached = noise(groom.image(&paths), reference);
-        // The target, with what 3,000 pixels' own chance adds, a few hundredths; and not
-        // twice as good as asked, which would be wasted.
+        // The target, plus a few hundredths for the randomness of 3,000 pixels; and not
+        // twice as good as requested, which would be wasteful.
         EXPECT_LT(reached, 1.05 * target);
         EXPECT_GT(reached, 0.5 * target);
         GroomSettings even;

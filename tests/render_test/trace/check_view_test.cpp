@@ -49,11 +49,11 @@ struct Ribbon {
 };
 
 // Within a millimetre of the middle of a ribbon a metre wide |h| < 2e-3, which darkens it
-// by 2e-6; along x the value moves by 0.1 * 2 / 8 at most, its place by 0.0063 of the
-// scale, whose colours move by less than 4 a unit.
+// by 2e-6. Along x the value changes by at most 0.1 * 2 / 8, or 0.0063 of the scale,
+// whose colours change by less than 4 per unit.
 constexpr float kAlong = 0.03f;
 
-TEST(CheckView, AStrandThatFacesUsHasTheColourOfItsValue) {
+TEST(CheckView, AStrandFacingTheCameraHasTheColourOfItsValue) {
     const Ribbon ribbon;
     for (const float x : {-3.0f, 0.0f, 2.0f}) {
         const float value = 1 + 2 * (x + 4) / 8;
@@ -68,7 +68,7 @@ TEST(CheckView, AStrandThatFacesUsHasTheColourOfItsValue) {
     }
 }
 
-TEST(CheckView, WhatIsBeyondTheLimitIsRed) {
+TEST(CheckView, ValuesBeyondTheLimitAreRed) {
     Ribbon ribbon;
     ribbon.view.scale.high = 2;
     ribbon.view.scale.over = "fails";
@@ -83,7 +83,7 @@ TEST(CheckView, AStrandOfACategoryHasItsColour) {
     EXPECT_LT((ribbon.image(0).rgba[4].head<3>() - ribbon.view.colours[0]).norm(), 1e-5f);
 }
 
-TEST(CheckView, OneThatIsSeenAlongItselfIsDarkerByTheShareNamed) {
+TEST(CheckView, AStrandSeenLengthwiseIsDarkerByMinShade) {
     const Ribbon ribbon;
     Hit hit;
     hit.strand.facing = Vec3f::UnitZ();
@@ -97,7 +97,7 @@ TEST(CheckView, OneThatIsSeenAlongItselfIsDarkerByTheShareNamed) {
     EXPECT_EQ(counter.rays, 0u);
 }
 
-TEST(CheckView, WhatIsBelowASurfaceShowsThroughItUnlessItIsClean) {
+TEST(CheckView, StrandsBelowASurfaceShowThroughUnlessClean) {
     Ribbon ribbon(-2);  // the ground is at -1
     const Vec3f ground = ribbon.image(0).rgba[4].head<3>();
     EXPECT_EQ(ground.x(), ground.y());  // grey
@@ -120,7 +120,7 @@ TEST(CheckView, ALogarithmicScaleGivesEachDecadeTheSameRoom) {
     scale.low = 1e-9f;
     scale.high = 1e-5f;
     for (int i = 0; i <= 4; ++i) {
-        // Rounding of the values to float moves their logarithm by 6e-8 of 9.2.
+        // Rounding of the values to float changes their logarithm by 6e-8 of 9.2.
         EXPECT_NEAR(scale_place(scale, float(std::pow(10, i - 9))), 0.25f * float(i),
                     1e-7f);
     }
@@ -149,7 +149,7 @@ TEST(Legend, ItsBarIsTheScaleFromLeftToRight) {
                 EXPECT_EQ(Vec3f(pixel.head<3>()), colour) << size << ' ' << i;
                 EXPECT_EQ(pixel.w(), 1);
             }
-            // Above the band the picture is as it was.
+            // Above the band the picture is unchanged.
             EXPECT_EQ(image.rgba[0], Eigen::Vector4f::Zero());
         }
     }

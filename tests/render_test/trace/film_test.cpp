@@ -22,12 +22,12 @@ void add(Film& film, const PathResult& path) { add_sample(film, 0, {.path = path
 
 TEST(Film, VarianceOfTheMeanIsThatOfItsSamplesOverTheirNumber) {
     Film film(1, 1, {.variance = true});
-    // Far from zero beside their spread: the sum of squares less the square of the sum
-    // would leave nothing of it in a float.
+    // Far from zero relative to their spread: in float, the sum of squares less the
+    // square of the sum would lose all digits.
     const float values[] = {1000, 1001, 1003, 1000};
     for (int s = 0; s < 4; ++s) add(film, path_of(values[s], s < 2));
     // Mean 1001, squares 1 + 0 + 4 + 1 = 6, over n (n - 1) = 12; coverage: mean 1/2,
-    // squares 1. All sums and their differences are exact but for the quotients by 6 and
+    // squares 1. All sums and their differences are exact, except for quotients by 6 and
     // 12: three roundings.
     const Eigen::Vector4f variance = variance_of_mean(film, 0);
     EXPECT_NEAR(variance.x(), 0.5f, 3 * 6e-8f * 0.5f);
@@ -74,9 +74,10 @@ TEST(Film, VarianceBoundsThatOfPicturesOfOtherSeeds) {
     double found = 0;
     for (const Mean& pixel : green)
         found += pixel.error() * pixel.error() * kPictures * kPictures / (kPictures - 1);
-    // The found sum has about 150 pixels of 39 degrees of freedom each: a relative
-    // standard error of sqrt(2 / 39 / 150) = 2 %, of heavy tails three times that. Even
-    // spread takes some of it away: pictures agree better than told, not ten times.
+    // The sum has about 150 pixels of 39 degrees of freedom each: a relative standard
+    // error of sqrt(2 / 39 / 150) = 2 %, with heavy tails three times that.
+    // Stratification reduces the true variance: pictures agree better than estimated, but
+    // not ten times.
     EXPECT_LT(found, 1.25 * told);
     EXPECT_GT(found, 0.1 * told);
 }
@@ -91,7 +92,7 @@ TEST(Film, VarianceIsTheSameProgressively) {
     EXPECT_EQ(whole.variance, last.variance);
 }
 
-TEST(Film, VarianceIsKeptOnlyWhereAskedFor) {
+TEST(Film, VarianceIsKeptOnlyOnRequest) {
     Ball ball;
     ball.settings.samples = 2;
     ball.settings.channels.variance = false;

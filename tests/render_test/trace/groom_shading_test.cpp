@@ -10,8 +10,8 @@
 namespace lancret {
 namespace {
 
-TEST(GroomShading, SendsOnTheShareThatItsColourSays) {
-    // By midpoints on 200 x 200 angles: the integrand is smooth, their error 1e-4.
+TEST(GroomShading, ScattersTheShareOfItsColour) {
+    // By midpoints on 200 x 200 angles: the integrand is smooth, and their error 1e-4.
     double sum = 0;
     constexpr int kSteps = 200;
     for (int i = 0; i < kSteps; ++i)
@@ -25,7 +25,7 @@ TEST(GroomShading, SendsOnTheShareThatItsColourSays) {
     EXPECT_NEAR(sum * 2 * M_PI * M_PI / (kSteps * kSteps), 0.6, 1e-4);
 }
 
-/// A strand of half red, half green, under a light from the viewer; `lid` hides half.
+/// A strand, half red and half green, lit from the viewer; `lid` hides half.
 Mean shown(float x, int channel, bool lid) {
     std::vector<Vec3f> row;
     for (int i = 0; i <= 8; ++i) row.push_back(Vec3f(float(2 * i - 8), 0, 0));
@@ -58,8 +58,8 @@ Mean shown(float x, int channel, bool lid) {
 
 TEST(GroomShading, ShowsRootAndTipColourUnderALight) {
     // Along x from -8 (root) to 8 (tip), seen a hundredth from either end: absorption is
-    // linear between 0.9's and 0.1's. Light and sight at right angles to the strand:
-    // colour / pi^2 * 2 * E, over a disc of 0.02 radian that changes 1e-4 of it.
+    // linear between those of 0.9 and 0.1. Light and view at right angles to the strand:
+    // colour / pi^2 * 2 * E, with a disc of 0.02 radian that changes it by 1e-4.
     const Vec3f ends = sigma_a_of_colour(Vec3f(0.9f, 0.1f, 0.1f), 0.3f);
     const float along = 0.01f / 16;
     const float sigma = (1 - along) * ends.x() + along * ends.y();

@@ -1,5 +1,5 @@
-// Near- and far-field lobes on strands: which is used where, and that both come to the
-// same picture where strands are not resolved.
+// Near- and far-field lobes on strands: the choice between them, and that both converge
+// to the same picture where strands are not resolved.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace lancret {
 namespace {
 
-TEST(LobeWidth, FarShareFallsSmoothlyFromOneAtAPixelToNoneAtTwo) {
+TEST(LobeWidth, FarShareFallsSmoothlyFromOneAtAPixelToZeroAtTwo) {
     EXPECT_EQ(far_share(0), 1);
     EXPECT_EQ(far_share(1), 1);
     EXPECT_EQ(far_share(1.5f), 0.5f);
@@ -43,7 +43,7 @@ struct Made {
     }
 };
 
-/// Of a square of the picture: light by its channels' sum, over independent paths.
+/// Light of a square of the picture: the sum of its channels, over independent paths.
 Mean radiance(const Made& made, const Vec2f& corner, float side,
               const PathSettings& settings, int count, std::uint32_t stream) {
     const Camera camera =
@@ -61,7 +61,7 @@ Mean radiance(const Made& made, const Vec2f& corner, float side,
 
 TEST(LobeWidth, AutomaticIsFarOfThinStrandsAndNearOfWideOnes) {
     const Made made(300, 0.05f, 0.5f);
-    // One scattering deep, so that nothing but what the camera meets differs.
+    // One scattering, so that only the camera's hit differs.
     PathSettings settings;
     settings.max_depth = 1;
     const auto of = [&](LobeWidth lobes, float pixel_angle) {
@@ -89,9 +89,9 @@ TEST(LobeWidth, LaterScatteringsAreFarWhereLobesAreAutomatic) {
     EXPECT_NE(radiance(made, Vec2f(0.2f, 0.2f), 0.6f, settings, 2000, 7).sum, automatic);
 }
 
-/// Squares of a twelfth of the picture, which hold hundreds of strands' widths. Chance
-/// that they differ as much as they do, if they are the same but for noise; and the
-/// difference of the means of all.
+/// Squares of a twelfth of the picture, which contain hundreds of strand widths: the
+/// p-value of their differences under the hypothesis that only noise differs, and the
+/// difference of the means over all.
 struct Comparison {
     double chance, difference, error;
 };
@@ -115,7 +115,7 @@ Comparison compare(const Made& made, int count) {
             std::sqrt(variance) / near_sum};
 }
 
-TEST(LobeWidth, NearAndFarComeToTheSamePictureOfUnresolvedHair) {
+TEST(LobeWidth, NearAndFarConvergeToTheSamePictureOfUnresolvedHair) {
     // Blond, brown and black. Wrong once in 300.
     for (const float eumelanin : {0.3f, 1.3f, 8.0f}) {
         const Made made(3000, 0.02f, eumelanin);
@@ -126,8 +126,8 @@ TEST(LobeWidth, NearAndFarComeToTheSamePictureOfUnresolvedHair) {
 }
 
 TEST(SlowLobeWidth, NearAndFarAgreeToAHalfPercentOfUnresolvedHair) {
-    // Mean light of all squares. Wrong once in 1e5 each; the far field is held to half a
-    // percent more, for its tables.
+    // Mean light of all squares. Wrong once in 1e5 each; the far field is allowed another
+    // half percent for its tables.
     for (const float eumelanin : {0.3f, 1.3f, 8.0f}) {
         const Made made(20000, 0.006f, eumelanin);
         const Comparison c = compare(made, 100000);

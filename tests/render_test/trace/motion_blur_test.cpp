@@ -1,4 +1,4 @@
-// Scenes that move: what a ray of some time meets, and what the camera sees of it all.
+// Moving scenes: the hits of a ray at a time, and the picture over the shutter.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace lancret {
 namespace {
 
-/// A copy with every control point and radius moved along by `share` of `way`.
+/// A copy with every control point and radius moved by `share` of `way`.
 Curves moved(const Curves& from, const Vec3f& way, float wider = 0) {
     Curves out;
     out.basis = from.basis, out.shape = from.shape, out.strands = from.strands;
@@ -42,7 +42,8 @@ Ray ray_to(const Vec3f& from, const Vec3f& to, float time = 0) {
     return ray;
 }
 
-/// Three times of a groom that moves on a bent way, and the groom at any time between.
+/// Three times of a groom that moves along a bent path, and the groom at any time
+/// between.
 struct Moving {
     TriangleMesh sphere = sphere_mesh(24, 12, 8.9f);
     std::array<Vec3f, 3> ways{Vec3f(0, 0, 0), Vec3f(2, 1, 0), Vec3f(3, -1, 1)};
@@ -75,7 +76,7 @@ struct Moving {
         for (int t = 0; t < 3; ++t) out.push_back({&curves[t], &meshes[t]});
         return out;
     }
-    /// Ways and widths are linear between times 0, 1/2 and 1.
+    /// Paths and widths are linear between times 0, 1/2 and 1.
     template <class T>
     static T at(const std::array<T, 3>& values, float time) {
         const int from = time < 0.5f ? 0 : 1;
@@ -105,7 +106,7 @@ TEST(MotionBlur, ARayOfSomeTimeMeetsTheSceneOfThatTime) {
                     Ray ray = ray_to({0, 0, 60}, {x, y, 0}, time);
                     const auto a = scene.intersect(ray), b = still.intersect(ray);
                     ++rays;
-                    // At an edge round-off decides; those rays are counted.
+                    // At an edge round-off decides; such rays are counted.
                     if (!a != !b || (a && a->primitive != b->primitive)) {
                         ++differ;
                         continue;
@@ -114,8 +115,8 @@ TEST(MotionBlur, ARayOfSomeTimeMeetsTheSceneOfThatTime) {
                     if (!a) continue;
                     const bool strand = a->kind == Hit::Kind::strand;
                     (strand ? strands : meshes) += 1;
-                    // Coordinates below 64 cm round by 4e-6 cm some times over; where a
-                    // ray grazes, at up to 10 to 1, along itself. Directions do by that
+                    // Coordinates below 64 cm round by 4e-6 cm several times; for grazing
+                    // rays, at up to 10 to 1, along the ray. Directions are off by that
                     // over the radius, 0.3 cm, and Embree finds a round surface to about
                     // 1e-4 radii.
                     EXPECT_LT((a->position - b->position).norm(), 1e-3f);
@@ -166,7 +167,8 @@ TEST(MotionBlur, ThePictureIsTheMeanOfThePicturesOfItsTimes) {
     const Camera camera = look_at({1, 0, 60}, {1, 0, 0}, Vec3f::UnitY(), 0.5f, 1);
 
     const HairScene blurred(moving.times());
-    // Seeds make pictures independent: their scatter gives each pixel's error.
+    // Different seeds make pictures independent: their scatter estimates each pixel's
+    // error.
     constexpr int kPictures = 16, kTimes = 64;
     std::vector<Mean> of_blur(144), of_times(144), alpha_blur(144), alpha_times(144);
     const auto add = [&](const HairScene& geometry, int samples, int seed,
@@ -181,8 +183,8 @@ TEST(MotionBlur, ThePictureIsTheMeanOfThePicturesOfItsTimes) {
         }
     };
     for (int s = 0; s < kPictures; ++s) add(blurred, 64, s, of_blur, alpha_blur);
-    // Times at random within even strata: unbiased, and their scatter overstates their
-    // error a little.
+    // Random times within uniform strata: unbiased, and their scatter slightly
+    // overestimates the error.
     std::mt19937 random(3);
     std::uniform_real_distribution<float> unit(0, 1);
     for (int t = 0; t < kTimes; ++t) {
@@ -199,13 +201,13 @@ TEST(MotionBlur, ThePictureIsTheMeanOfThePicturesOfItsTimes) {
             return error > 0 ? (a.value() - b.value()) / error : 0.0;
         };
         const double light = z(of_blur[i], of_times[i]);
-        // Sixteen pictures: Student's t of 15 degrees of freedom passes 7 once in 1e5,
-        // 144 pixels and two figures make that one in 350. Seeds are fixed.
+        // Sixteen pictures: Student's t of 15 degrees of freedom exceeds 7 once in 1e5;
+        // for 144 pixels and two figures that is once in 350. Seeds are fixed.
         EXPECT_LT(std::abs(light), 7) << i;
         EXPECT_LT(std::abs(z(alpha_blur[i], alpha_times[i])), 7) << i;
         if (light != 0) squares += light * light, pixels += 1;
     }
-    // Mean square of a t of 15 degrees of freedom: 15 / 13; over some 100 pixels it
+    // Mean square of a t of 15 degrees of freedom: 15 / 13; over about 100 pixels it
     // scatters by about 0.2.
     EXPECT_GT(pixels, 60);
     EXPECT_LT(squares / pixels, 2);

@@ -16,14 +16,14 @@ HairMaterial white_hair() {
     return m;
 }
 
-/// Light of a pixel over its coverage, of all pixels that are covered by half or more.
-/// Pixels are independent, so their scatter gives the error of the mean.
+/// Light of a pixel over its coverage, for all pixels that are at least half covered.
+/// Pixels are independent, so their scatter estimates the error of the mean.
 Mean covered_radiance(const Image& image) {
     Mean mean;
     for (const Eigen::Vector4f& pixel : image.rgba)
         if (pixel.w() >= 0.5f)
             for (int c = 0; c < 3; ++c) mean.add(pixel[c] / pixel.w());
-    // Three channels of one path are not three numbers.
+    // The three channels of a path are not independent.
     mean.count /= 3, mean.sum /= 3, mean.squares /= 3;
     return mean;
 }
@@ -67,7 +67,7 @@ TEST(SlowPathTracer, WhiteGroomInAnEvenSkyHoldsToAThousandth) {
     EXPECT_NEAR(mean.value(), 1, kSigmas * mean.error() + 1e-5);
 }
 
-/// What a dense groom of a colour shows in an even sky, where nothing is seen through it.
+/// The colour of a dense groom in a uniform sky, in pixels without gaps.
 Mean shown_colour(const Curves& curves, float colour, float beta_n) {
     const HairScene geometry(curves);
     RenderScene scene;
@@ -88,10 +88,9 @@ Mean shown_colour(const Curves& curves, float colour, float beta_n) {
 }
 
 TEST(PathTracer, ADenseGroomShowsMoreOfAColourThatIsBrighter) {
-    // The fit of Chiang et al. is of another groom and light: in an even sky this one
-    // shows 0.15, 0.46, 0.75, 0.91, 0.99 (docs/rendering.md). What must hold is the
-    // order, that no colour comes out darker than it was asked for, and that none exceeds
-    // one.
+    // The fit of Chiang et al. is for another groom and lighting: in a uniform sky this
+    // one shows 0.15, 0.46, 0.75, 0.91, 0.99 (docs/rendering.md). Required are the order,
+    // that no colour is darker than requested, and that none exceeds one.
     const Curves curves = hairy_sphere(20000, 8, 0.02f);
     double last = 0;
     for (const float colour : {0.05f, 0.2f, 0.4f, 0.6f, 0.8f}) {
@@ -103,8 +102,8 @@ TEST(PathTracer, ADenseGroomShowsMoreOfAColourThatIsBrighter) {
     }
 }
 
-/// What one straight strand of the material shows at right angles to the viewer in an
-/// even sky: by tracing, and by the BSDF alone averaged over h and directions.
+/// The colour of one straight strand at right angles to the viewer in a uniform sky: by
+/// tracing, and by the BSDF averaged over h and directions.
 void compare_lone_strand(CurveShape shape, float sigma_a) {
     std::vector<Vec3f> row;
     for (int i = 0; i <= 8; ++i) row.push_back(Vec3f(float(2 * i - 8), 0, 0));
@@ -132,9 +131,9 @@ void compare_lone_strand(CurveShape shape, float sigma_a) {
         const auto sample = bsdf.sample(picks.x(), picks.y(), longitude);
         alone.add(sample ? sample->at.value.x() / sample->at.pdf : 0);
     }
-    // Beside the errors: of the light's directions, the share within 0.1 radian of the
-    // strand can meet it again, and what it then loses. It is below 0.1 in sin and holds
-    // no lobe, less than one in 1e3.
+    // In addition to the errors: of the light's directions, the share within 0.1 radian
+    // of the strand can hit it again, and lose light there. It is below 0.1 in sin and
+    // contains no lobe: less than one in 1e3.
     EXPECT_NEAR(traced.value(), alone.value(),
                 kSigmas * std::hypot(traced.error(), alone.error()) + 1e-3);
 }
@@ -165,13 +164,13 @@ TEST(PathTracer, APlateUnderADistantLightShowsLambertsLaw) {
         ray.direction = -Vec3f::UnitZ();
         mean.add(trace_path(scene, {}, ray, sampler).radiance.x());
     }
-    // L = albedo / pi * E cos 45 degrees, evenly over a disc of 0.02 radian whose mean
+    // L = albedo / pi * E cos 45 degrees, uniformly over a disc of 0.02 radian whose mean
     // cosine is that of its centre to 0.02^2 / 4 = 1e-4.
     EXPECT_NEAR(mean.value(), 0.5 / M_PI * std::sqrt(0.5), kSigmas * mean.error() + 1e-4);
 }
 
 TEST(PathTracer, OneScatteringIsTheBsdfIntegratedOverTheLight) {
-    // A light wide enough that both ways of sampling find it often.
+    // A light wide enough for both sampling techniques to find it often.
     const Curves curves = curves_through(
         {{Vec3f(-9, 0, 0), Vec3f(-3, 0, 0), Vec3f(3, 0, 0), Vec3f(9, 0, 0)}}, 0.5f);
     const HairScene geometry(curves);
@@ -204,7 +203,7 @@ TEST(PathTracer, OneScatteringIsTheBsdfIntegratedOverTheLight) {
                        (M_PI * sine_radius * sine_radius) * 2 * M_PI *
                        (1 - std::cos(double(radius))));
     }
-    // Along +x seen from +z: x is the tangent, y across, z facing, as the world's axes.
+    // Along +x seen from +z: x is the tangent, y across, z facing, like the world axes.
     EXPECT_NEAR(traced.value(), integrated.value(),
                 kSigmas * std::hypot(traced.error(), integrated.error()));
     EXPECT_LT(traced.error(), 0.005 * traced.value());
@@ -236,7 +235,7 @@ TEST(PathTracer, AMeshShowsItsTextureAtItsUvs) {
             const Vec3f radiance = trace_path(scene, {}, ray, sampler).radiance;
             for (int c = 0; c < 3; ++c) channels[c].add(radiance[c]);
         }
-        // Which channels are lit; a plate in an even sky shows its colour.
+        // The lit channels; a plate in a uniform sky shows its colour.
         Vec3f colour;
         for (int c = 0; c < 3; ++c) {
             colour[c] = std::round(2 * float(channels[c].value())) / 2;
@@ -269,7 +268,7 @@ TEST(PathTracer, DeeperPathsOnlyAddLight) {
         const Image image = render(scene, camera, settings);
         double sum = 0;
         for (const Eigen::Vector4f& pixel : image.rgba) sum += pixel.x();
-        // The same random numbers: a longer path is the shorter one and more.
+        // The same random numbers: a longer path extends the shorter one.
         EXPECT_GT(sum, last) << depth;
         last = sum;
     }
@@ -293,7 +292,7 @@ TEST(PathTracer, RouletteKeepsTheMean) {
     settings.path.roulette_depth = 1000;
     settings.path.max_depth = 1000;
     const Mean never = covered_radiance(render(scene, camera, settings));
-    // Pixels differ in colour as well as by chance, so these errors are generous.
+    // Pixels also differ in colour, so these errors are generous.
     EXPECT_NEAR(early.value(), never.value(),
                 kSigmas * std::hypot(early.error(), never.error()));
 }

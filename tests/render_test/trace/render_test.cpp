@@ -48,7 +48,7 @@ TEST(Render, SeedChangesThePicture) {
     EXPECT_FALSE(same_bits(first.rgba, groom.image().rgba));
 }
 
-TEST(Render, LayersTellWhatThePixelSees) {
+TEST(Render, LayersDescribeThePixel) {
     const GroomSettings groom;
     const Image image = groom.image();
     const float nearest =
@@ -86,7 +86,7 @@ TEST(Render, BrokenStrandsNeitherCrashNorSpoilThePicture) {
         for (std::uint32_t j = 0; j < per; ++j)
             change(groom.curves.points[std::size_t(strand) * per + j], j);
     };
-    // The strands in front, and one of each fault among every six.
+    // The strands in front, and one of each fault per six strands.
     for (std::uint32_t i = 0; i < 1500; ++i)
         spoil(i, [&](Point4f& p, std::uint32_t j) {
             if (i % 6 == 0 && j == 7) p.x = nan;
@@ -139,14 +139,14 @@ TEST(Render, ProgressCountsTheRays) {
     const Image image =
         render(groom.scene, groom.camera, groom.settings,
                [&](const RenderProgress& progress) { rays = progress.rays; });
-    // One from the camera and one more of every path that met something.
+    // One from the camera, and one more for every path that hits something.
     double paths = 50 * 41 * 4;
     for (const Eigen::Vector4f& pixel : image.rgba) paths += 4 * double(pixel.w());
-    // A Lambert direction of density zero would end a path early: none is drawn here.
+    // A Lambert direction of density zero would end a path early: none occurs here.
     EXPECT_EQ(double(rays), paths);
 }
 
-TEST(Render, WiderLaterHairLeavesTheFirstScatteringAsItIs) {
+TEST(Render, RougherLaterHairLeavesTheFirstScatteringUnchanged) {
     GroomSettings groom;
     const Image plain = groom.image();
     groom.scene.later_hair = HairModel(roughened(HairMaterial{}, 0.5f));
