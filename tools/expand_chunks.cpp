@@ -60,9 +60,9 @@ void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t m
         bar.show(double(c + 1) / double(groom.chunks.size()));
     }
     if (out.strands == 0) {
-        throw InputError(fmt::format("{}: of {} strands a density of {} leaves none",
-                                     job.groom.name, groom.chunks.children.size(),
-                                     job.groom.density));
+        throw InputError(fmt::format("{}: density {} leaves none of the {} strands",
+                                     job.groom.name, job.groom.density,
+                                     groom.chunks.children.size()));
     }
     fmt::print(stderr, "{}", bind_table(out.report, out.strands, "lancret: "));
 

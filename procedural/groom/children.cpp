@@ -40,9 +40,10 @@ RootPlaces child_places(const GroomSettings& groom, const PlacedGuides& placed) 
             places_on_scalp(*placed.scalp, placed.grown.roots, count, groom.seed, growth);
     } catch (const InputError&) {
         throw InputError(fmt::format(
-            "{}: has hardly a place within {:.3g} cm of the groom's strands, where "
-            "hair may grow; their roots are up to {:.3g} cm away from it. Are they in "
-            "one place and one unit? [scalp] growth_distance sets the reach",
+            "{}: almost no part of it is within {:.3g} cm of the groom's strands, where "
+            "hair may grow; their roots are up to {:.3g} cm away from it. Check that "
+            "both "
+            "have the same position and unit; [scalp] growth_distance sets the distance",
             groom.scalp_file.empty() ? "scalp" : groom.scalp_file.string(), growth,
             placed.report.largest_snap));
     }

@@ -27,10 +27,9 @@ nlohmann::json fit_json(const PlacedGuides& placed) {
 
 std::string roots_line(const PlacedGuides& placed) {
     if (placed.report.snapped_roots == 0) return {};
-    return fmt::format(
-        "{} of {} guide roots were off the scalp and were put on it; the farthest moved "
-        "{:.3f} cm",
-        placed.report.snapped_roots, placed.guides.size(), placed.report.largest_snap);
+    return fmt::format("moved {} of {} guide roots onto the scalp, by up to {:.3f} cm",
+                       placed.report.snapped_roots, placed.guides.size(),
+                       placed.report.largest_snap);
 }
 
 std::vector<std::string> warning_lines(const PlacedGuides& placed) {

@@ -1,5 +1,5 @@
 #pragma once
-// How well guides follow the strands that they were fitted to, as JSON.
+// How closely guides follow the strands that they were fitted to, as JSON and text.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -11,7 +11,7 @@ namespace lancret {
 /// roots.{snapped, largest_snap_cm}}.
 nlohmann::json fit_json(const PlacedGuides& placed);
 
-/// What is worth telling of the guides' roots; empty where there is nothing.
+/// A warning about guide roots that were off the scalp; empty if there were none.
 std::string roots_line(const PlacedGuides& placed);
 
 /// All warnings of a groom, one line each: those of its guides, and `roots_line`.

@@ -53,7 +53,7 @@ void read_made(const TomlTable& made, MadeGroomSettings& out) {
 void read_guides_table(const TomlTable& guides, GroomSettings& out) {
     assign_if(out.strands_file, guides.path("file"));
     if (guides.has("file") && guides.has("made")) {
-        guides.fail("made", "a groom has either a 'file' or is 'made', not both");
+        guides.fail("made", "set either 'file' or [guides.made], not both");
     }
     read_made(guides.table("made"), out.made);
     if (const auto basis = guides.choice("basis", kBases)) {
@@ -61,13 +61,13 @@ void read_guides_table(const TomlTable& guides, GroomSettings& out) {
     }
     assign_if(out.guides.number, guides.integer("count", 1, kMaxStrands));
     assign_if(out.guides.share, guides.number("share", 0, 1));
-    // What a caller says takes the place of what the file says.
-    const bool own_count = guides.is_overridden("count"),
-               own_share = guides.is_overridden("share");
-    if (own_count && !own_share) out.guides.share.reset();
-    if (own_share && !own_count) out.guides.number.reset();
+    // An override of one replaces the other in the file.
+    const bool new_count = guides.is_overridden("count"),
+               new_share = guides.is_overridden("share");
+    if (new_count && !new_share) out.guides.share.reset();
+    if (new_share && !new_count) out.guides.number.reset();
     if (out.guides.number && out.guides.share) {
-        guides.fail("share", "guides are chosen by 'count' or by 'share', not both");
+        guides.fail("share", "set either 'count' or 'share', not both");
     }
     assign_if(out.fit.segments, guides.integer("segments", 1, 200));
     assign_if(out.fit.fit_root_frame, guides.boolean("fit_root_frame"));
@@ -101,8 +101,7 @@ void read_strands(const TomlTable& strands, GroomSettings& out) {
     }
     if (out.expand.shape == CurveShape::ribbon &&
         out.expand.basis == CurveBasis::hermite) {
-        strands.fail("shape",
-                     "a 'ribbon' is drawn as B-splines: leave 'curve' at bspline");
+        strands.fail("shape", "shape 'ribbon' requires curve 'bspline'");
     }
 }
 
@@ -111,18 +110,18 @@ void read_borders(const TomlTable& toml, GroomSettings& out) {
     assign_if(out.regions.texture, regions.path("texture"));
     assign_if(out.regions.ids, regions.path("ids"));
     if (regions.has("texture") && regions.has("ids")) {
-        regions.fail("ids", "regions come from a 'texture' or from 'ids', not from both");
+        regions.fail("ids", "set either 'texture' or 'ids', not both");
     }
     for (const TomlTable& parting : toml.tables("partings")) {
         auto points = parting.vectors("points", 2);
         if (!points) {
             parting.fail("points",
-                         "a parting needs 'points', a list of two or more [x, y, z]");
+                         "a parting needs 'points', a list of at least two [x, y, z]");
         }
         for (Vec3& p : *points) {
             p *= out.scene.centimetres_per_unit();
             if (!(p.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
-                parting.fail("points", fmt::format("a parting must be within {:.0e} cm",
+                parting.fail("points", fmt::format("'points' must be within {:.0e} cm",
                                                    kLargestCoordinate));
             }
         }
@@ -135,9 +134,10 @@ void read_borders(const TomlTable& toml, GroomSettings& out) {
 std::uint32_t GuideCount::of(std::size_t strands) const {
     const std::uint32_t all = std::uint32_t(strands);
     if (number) return std::min(*number, all);
-    if (share)
+    if (share) {
         return std::clamp<std::uint32_t>(std::uint32_t(std::lround(*share * all)), 1,
                                          all);
+    }
     return std::min(kDefaultGuides, all);
 }
 
@@ -150,7 +150,7 @@ GuideCount parse_guide_count(const std::string& text, const std::string& where) 
     std::size_t used = 0;
     double value = 0;
     try {
-        // A plain number: neither hexadecimal nor with an exponent.
+        // Neither hexadecimal nor with an exponent.
         if (text.find_first_not_of("0123456789.%") == std::string::npos) {
             value = std::stod(text, &used);
         }
@@ -165,7 +165,8 @@ GuideCount parse_guide_count(const std::string& text, const std::string& where) 
         out.number = std::uint32_t(value);
     } else {
         throw InputError(fmt::format(
-            "{}: '{}' is no number of guides; give a whole number or a share such as 5%",
+            "{}: invalid number of guides '{}': expected a whole number or a percentage "
+            "such as 5%",
             where, text));
     }
     return out;
@@ -182,11 +183,13 @@ GroomSettings read_groom(const TomlTable& toml, std::string name) {
     read_strands(toml.table("strands"), out);
     read_borders(toml, out);
     const TomlTable width = toml.table("width");
-    // The file speaks of widths, the curves of radii.
-    if (const auto root = width.number("root", 0, 10))
+    // The file has widths, curves have radii.
+    if (const auto root = width.number("root", 0, 10)) {
         out.expand.taper.root = float(*root / 2);
-    if (const auto tip = width.number("tip", 0, 10))
+    }
+    if (const auto tip = width.number("tip", 0, 10)) {
         out.expand.taper.tip = float(*tip / 2);
+    }
     return out;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a groom says: everything that decides which strands grow. docs/formats.md shows
-// its TOML.
+// The settings of a groom: everything that determines which strands grow.
+// docs/formats.md shows its TOML.
 
 #include <filesystem>
 #include <memory>
@@ -18,16 +18,16 @@
 
 namespace lancret {
 
-/// How many of a dense groom's strands become guides: a number, or a share of them all.
+/// How many of a dense groom's strands become guides: a number or a fraction of them.
 struct GuideCount {
     std::optional<std::uint32_t> number = {};
     std::optional<double> share = {};  ///< 0 to 1
 
-    /// Of `strands`: where neither is said, all of up to 500, else 500.
+    /// The number of guides for `strands` strands; at most 500 if neither is set.
     std::uint32_t of(std::size_t strands) const;
 };
 
-/// "400" or "5%". Throws InputError that begins with `where`.
+/// Parses "400" or "5%". Throws InputError, prefixed with `where`.
 GuideCount parse_guide_count(const std::string& text, const std::string& where);
 
 /// The axes and units of a groom's files.
@@ -40,42 +40,47 @@ struct SceneUnits {
 };
 
 struct GroomSettings {
-    std::string name;  ///< of its file, for messages
+    std::string name;  ///< of the groom's file, for messages
     SceneUnits scene;
-    std::filesystem::path strands_file;  ///< .hair; empty where the groom is made
-    std::filesystem::path
-        guides_file;  ///< .h5 that stands in for the fit; empty without one
-    std::shared_ptr<const Strands> own_strands;  ///< in place of a file, in its unit
-    std::shared_ptr<const TriangleMesh> own_scalp;
-    MadeGroomSettings made;            ///< of the groom and scalp that Lancret makes
+
+    // Inputs. Without a file, strands and scalp are generated from `made`.
+    std::filesystem::path strands_file;  ///< .hair; may be empty
+    std::filesystem::path guides_file;   ///< .h5 that replaces the fit; may be empty
+    std::filesystem::path scalp_file;    ///< .obj; may be empty
+    std::shared_ptr<const Strands> own_strands;     ///< replace the file; in scene units
+    std::shared_ptr<const TriangleMesh> own_scalp;  ///< replaces the file; in scene units
+    MadeGroomSettings made;
     Basis basis = Basis::catmull_rom;  ///< of the points in `strands_file`
+
+    // Guides.
     GuideCount guides;
     FitSettings fit;
-    std::filesystem::path scalp_file;  ///< .obj; empty without one
-    std::optional<double>
-        growth_distance;  ///< cm from the groom's strands; none: by spacing
-    std::optional<std::uint32_t> strands;  ///< children; none: child_count says
+
+    // Children.
+    std::optional<double> growth_distance;  ///< cm from the groom's strands; nullopt:
+                                            ///< derived from their spacing
+    std::optional<std::uint32_t> strands;   ///< nullopt: see child_count
     std::uint64_t seed = 0;
-    double density = 1;  ///< of the children that are grown, in (0, 1]; see density.h
+    double density = 1;  ///< fraction of the children to grow, in (0, 1]; see density.h
     BindSettings bind;
     RegionSettings regions;
-    std::vector<Polyline> partings;  ///< cm; of a made groom none: its own
+    std::vector<Polyline> partings;  ///< cm; empty: those of a generated groom, if any
     ExpandSettings expand;
-    double tolerance = 0.03;       ///< cm, of the emitted curves from the strands
-    std::optional<int> intervals;  ///< a strand; none: by tolerance
-    bool adapt = true;  ///< whether strands that need fewer intervals have fewer
+    double tolerance = 0.03;       ///< maximum distance of curves from strands, cm
+    std::optional<int> intervals;  ///< per strand; nullopt: chosen by tolerance
+    bool adapt = true;             ///< strands may have fewer intervals than the finest
 
-    /// Whether strands may differ in their intervals: faces that turn about a straight
-    /// strand are not measured.
+    /// Whether strands may have different interval counts. Not with faces: their rotation
+    /// about a straight strand is not measured.
     bool adapts() const { return adapt && !intervals && !expand.has_faces(); }
 };
 
-/// How many children a groom grows: what it says; else 50,000 on a scalp, and without one
-/// a child on each of the groom's own `roots`.
+/// The number of children: the groom's setting or, without it, 50,000 on a scalp and one
+/// per root of the groom's strands otherwise.
 std::uint32_t child_count(const GroomSettings& groom, bool on_scalp, std::size_t roots);
 
 /// Reads the tables [scene], [guides], [scalp], [strands], [regions], [[partings]] and
-/// [width]; the other tables of a groom belong to its host, who also finishes the TOML.
+/// [width]. Other tables are left to the caller. Throws InputError.
 GroomSettings read_groom(const TomlTable& toml, std::string name);
 
 }  // namespace lancret

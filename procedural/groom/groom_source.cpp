@@ -29,8 +29,8 @@ SourcedGroom read_groom_source(const GroomSource& source) {
     const bool cache = !from_text && extension == ".h5";
     const bool strands = !from_text && extension == ".hair";
     if (!from_text && extension != ".toml" && !cache && !strands) {
-        throw InputError(fmt::format("{}: a groom is a .toml, .hair or .h5 file",
-                                     source.path.string()));
+        throw InputError(
+            fmt::format("{}: expected a .toml, .hair or .h5 file", source.path.string()));
     }
     const std::filesystem::path file = cache ? groom_of_cache(source.path) : source.path;
     const bool without_toml = strands || (cache && file.empty());
@@ -60,8 +60,8 @@ SourcedGroom read_groom_source(const GroomSource& source) {
     }
     if (source.strands && !groom.guides_file.empty()) {
         throw InputError(fmt::format(
-            "{}: has guides of its own, {}, expected none beside the host's strands",
-            name, groom.guides_file.string()));
+            "{}: contains its own guides, {}, and cannot take the host's strands", name,
+            groom.guides_file.string()));
     }
     groom.own_strands = source.strands;
     groom.own_scalp = source.scalp;

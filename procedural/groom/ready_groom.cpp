@@ -13,7 +13,7 @@ namespace lancret {
 
 namespace {
 
-/// The children that the groom's density leaves.
+/// The roots of the children that are grown at the groom's density.
 Roots grown_roots(const GroomSettings& groom, const PlacedGuides& placed,
                   RootPlaces places) {
     if (groom.density == 1) {
@@ -23,8 +23,8 @@ Roots grown_roots(const GroomSettings& groom, const PlacedGuides& placed,
     std::iota(ids.begin(), ids.end(), 0u);
     Roots out = pruned_roots(groom, placed, places, ids, groom.density);
     if (out.size() == 0) {
-        throw InputError(fmt::format("{}: of {} strands a density of {} leaves none",
-                                     groom.name, ids.size(), groom.density));
+        throw InputError(fmt::format("{}: density {} leaves none of the {} strands",
+                                     groom.name, groom.density, ids.size()));
     }
     return out;
 }
@@ -66,8 +66,9 @@ ReadyGroom make_ready_groom(const GroomSettings& groom, const StageCallback& sta
     out.profiles = guide_profiles<float>(out.placed.guides, finest);
     out.classes = child_classes(groom, out.placed, out.sample, finest);
     out.binding = in_class_order(std::move(out.binding), out.classes);
-    if (groom.expand.has_faces())
+    if (groom.expand.has_faces()) {
         out.binding.faces = rest_faces(out.binding, out.profiles, groom.expand.blend);
+    }
     out.seconds.bind = watch.lap();
     return out;
 }

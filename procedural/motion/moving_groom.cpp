@@ -13,24 +13,10 @@
 
 namespace lancret {
 
-std::filesystem::path cache_of(const GroomSettings& groom) {
-    if (!groom.guides_file.empty()) return groom.guides_file;
-    return groom.strands_file.extension() == ".h5" ? groom.strands_file
-                                                   : std::filesystem::path();
-}
-
-GroomTimes groom_times(const GroomSettings& groom, ScalpPoseAt pose_at) {
-    GroomTimes out;
-    out.pose_at = std::move(pose_at);
-    out.cache = cache_of(groom);
-    if (out.moves()) out.info = guide_cache_info(out.cache);
-    return out;
-}
-
 namespace {
 
-/// visit(frame, guides, sample) for frames spread over the whole cache; the sample stands
-/// for all children, at any density, and is where it is then.
+/// Calls visit(frame, guides, sample) for frames spread over the whole cache, with the
+/// sample of the children posed at that frame.
 template <class Visit>
 void each_measured_frame(const ReadyGroom& ready, const GroomTimes& times,
                          const Visit& visit) {

@@ -1,50 +1,49 @@
 #pragma once
-// A groom in time: guides of a cache's frames and between them, on a scalp that moves.
+// A groom at the frames of a guide cache and between them, on a moving scalp.
 
 #include "procedural/groom/ready_groom.h"
 #include "procedural/motion/groom_times.h"
 
 namespace lancret {
 
-/// Everything of one frame that is not the same in all.
+/// What changes from frame to frame.
 struct FrameState {
     Guides guides;
-    ClassedGuides classed;          ///< the guides as strands read them
-    std::vector<Vec3> scalp_roots;  ///< [guides], cm: where the scalp has their roots
+    ClassedGuides classed;          ///< `guides` in the form that `expand` takes
+    std::vector<Vec3> scalp_roots;  ///< [guides], root positions on the posed scalp, cm
     ScalpPose pose;                 ///< of the scalp
 };
 
-/// What the binding of `ready` is at rest; to be called before any frame. The points of a
-/// strand are the same in all frames, so where a groom does not say how many intervals it
-/// has, they and the strands' classes are measured on frames spread over the whole cache
-/// too: hair that moves bends more than hair at rest. The binding's children may change
-/// their order with their classes. Throws InputError.
+/// Returns the rest state of the binding of `ready`; call it before any frame. All frames
+/// use the same number of points per strand. If the groom does not set the number of
+/// intervals, it and the strands' classes are also measured on frames spread over the
+/// cache, because moving hair bends more than hair at rest. This may reorder the
+/// binding's children by their new classes. Throws InputError.
 RestPlaces prepare_frames(ReadyGroom& ready, const GroomTimes& times);
 
-/// The number of intervals at which curves of `basis` stay within `tolerance` cm of the
-/// strands: at rest, and at frames spread over the cache. At most `most`, then further
-/// off: `reached`, where it is not null, becomes the farthest that was seen, cm. Throws
-/// InputError.
+/// The number of intervals with which curves of `basis` stay within `tolerance` cm of the
+/// strands, at rest and at frames spread over the cache; at most `most`, even if the
+/// distance is then larger. Stores the largest measured distance, cm, in `reached` if it
+/// is not null. Throws InputError.
 int intervals_in_time(const ReadyGroom& ready, const GroomTimes& times, CurveBasis basis,
                       double tolerance, int most, double* reached = nullptr);
 
-/// How finely the children of each guide are cut so that curves of `basis` stay within
-/// `tolerance` cm, of at most `finest` intervals; measured at the same times.
+/// The interval counts, at most `finest`, with which the children of each guide stay
+/// within `tolerance` cm, for curves of `basis`; measured at the same times.
 StrandClasses classes_in_time(const ReadyGroom& ready, const GroomTimes& times,
                               CurveBasis basis, double tolerance, int finest);
 
-/// Brings the binding of `ready` to a frame. `rest` is what the binding was before the
-/// first frame. Where no motion is known, the scalp stays at rest. Throws InputError.
+/// Moves the binding of `ready` to a frame. `rest` is the result of prepare_frames.
+/// Throws InputError.
 FrameState go_to_frame(ReadyGroom& ready, const RestPlaces& rest, const GroomTimes& times,
                        double frame);
 
-/// The guides of a cache at a frame or between two: see guides_between. Where it is known
-/// how the scalp moves, the roots follow it: those at `guide_places`. Throws InputError.
+/// The guides of a cache at a frame or between two frames: see guides_between. With a
+/// moving scalp the roots follow it at `guide_places`. Throws InputError.
 Guides guides_at(const GroomTimes& times, std::span<const MeshPoint> guide_places,
                  double frame);
 
-/// Whether guides and scalp are at all `frames` just where they are at the first of them.
-/// Throws InputError.
+/// Whether guides and scalp are identical at all `frames`. Throws InputError.
 bool is_still(const GroomTimes& times, std::span<const MeshPoint> guide_places,
               std::span<const double> frames);
 

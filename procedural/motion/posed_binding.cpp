@@ -26,11 +26,11 @@ void pose_rigidly(Binding& binding, const RestPlaces& rest, const RigidPose& pos
     for (const Vec3& root : rest.guide_roots) out.push_back(pose * root);
 }
 
-/// The scalp of a posed mesh, once it is seen to be the rest scalp's shape.
+/// The scalp of a posed mesh, after checking that it matches the rest scalp.
 Scalp scalp_in_pose(const RestPlaces& rest, const TriangleMesh& mesh) {
     if (rest.triangles == 0) {
         throw InputError(
-            "a posed scalp needs a scalp at rest, and the groom has none: name it in "
+            "a posed scalp needs a scalp at rest, but the groom has none; set it in "
             "[scalp]");
     }
     if (mesh.positions.size() != rest.vertices ||
@@ -41,7 +41,10 @@ Scalp scalp_in_pose(const RestPlaces& rest, const TriangleMesh& mesh) {
             mesh.positions.size(), mesh.triangles.size(), rest.vertices, rest.triangles));
     }
     if (!std::ranges::all_of(mesh.positions, is_place)) {
-        throw InputError("the posed scalp has a vertex that is nowhere");
+        throw InputError(fmt::format(
+            "the posed scalp has a vertex that is not finite or beyond {:.0e} "
+            "cm",
+            kLargestCoordinate));
     }
     return make_scalp(mesh);
 }

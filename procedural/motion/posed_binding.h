@@ -1,7 +1,7 @@
 #pragma once
-// Children at another time. What binding decides (guides, weights, lengths, faces) is
-// decided at rest and stays; only where roots stand and which way their normals point
-// follows the scalp. Those few numbers are written in place, from their rest values.
+// Children at another time. Binding is computed at rest: guides, weights, lengths and
+// faces stay the same. Only root positions and normals follow the scalp; they are
+// overwritten in place, from their rest values.
 
 #include <span>
 #include <variant>
@@ -12,7 +12,7 @@
 
 namespace lancret {
 
-/// What follows the scalp, at rest.
+/// The parts of a binding that follow the scalp, at rest.
 struct RestPlaces {
     std::vector<Vec3f> roots, normals;        ///< [children], cm and unit
     std::vector<Vec3f> guide_normals;         ///< [guides]
@@ -22,25 +22,25 @@ struct RestPlaces {
     std::size_t vertices = 0, triangles = 0;  ///< of the scalp
 };
 
-/// Of a binding that `pose_binding` has not touched yet, and the guides it was made with.
+/// The rest state of a binding that has not been posed yet. `placed` are its guides.
 RestPlaces rest_places(const Binding& binding, const PlacedGuides& placed);
 
-/// Puts the children's roots and normals and the guides' normals where the scalp has
-/// them, each time from rest, so that nothing adds up. Expanding the binding with the
-/// guides' profiles of that time gives the children of that time. Returns where the scalp
-/// has the guides' roots, [guides], cm. Throws InputError where a posed mesh has not as
-/// many vertices and triangles as the rest scalp, where there is no rest scalp for it, or
-/// where it is nowhere finite.
+/// Moves the children's roots and normals and the guides' normals with the scalp, always
+/// from rest, so errors do not accumulate. Expanding the binding with the profiles of the
+/// guides at that time gives the children at that time. Returns the guides' root
+/// positions on the posed scalp, [guides], cm. Throws InputError if a posed mesh has
+/// other vertex or triangle counts than the rest scalp, a position that is not finite or
+/// out of range, or no rest scalp.
 std::vector<Vec3> pose_binding(Binding& binding, const RestPlaces& rest,
                                const ScalpPose& pose);
 
-/// A pose of the scalp that was held against the scalp at rest, for many bindings.
+/// A pose of the scalp that was checked against the scalp at rest, for many bindings.
 using PosedScalp = std::variant<RigidPose, Scalp>;
 
-/// Throws as pose_binding does.
+/// Throws the InputErrors of pose_binding.
 PosedScalp posed_scalp(const RestPlaces& rest, const ScalpPose& pose);
 
-/// pose_binding, for a pose that was looked at before.
+/// pose_binding for a pose that was checked before.
 std::vector<Vec3> pose_binding_on(Binding& binding, const RestPlaces& rest,
                                   const PosedScalp& scalp);
 

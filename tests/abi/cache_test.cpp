@@ -91,7 +91,7 @@ TEST_F(PluginCache, ACacheRejectsStrandsOfTheHost) {
     source.strands = &strands;
     const Opened out = open(context.get(), source);
     EXPECT_EQ(out.status, LANCRET_BAD_INPUT);
-    EXPECT_NE(out.error.find("has guides of its own"), std::string::npos) << out.error;
+    EXPECT_NE(out.error.find("contains its own guides"), std::string::npos) << out.error;
 }
 
 TEST_F(PluginCache, GuidesOfAllTimesOfACallAreKept) {

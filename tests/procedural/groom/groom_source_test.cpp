@@ -1,5 +1,3 @@
-// Values laid over a groom's own.
-
 #include "procedural/groom/groom_source.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +14,7 @@ GroomSettings groom_of(const std::string& text, std::vector<GroomParameter> para
     return read_groom_source(source).groom;
 }
 
-TEST(GroomParameters, TakeThePlaceOfWhatTheGroomSays) {
+TEST(GroomParameters, OverrideTheFile) {
     const std::string text =
         "[guides]\ncount = 7\n[strands]\ncount = 10\nblend = 'bishop'\nadapt = true\n";
     const GroomSettings groom = groom_of(text, {{"strands.count", std::nullopt, 20},
@@ -28,7 +26,7 @@ TEST(GroomParameters, TakeThePlaceOfWhatTheGroomSays) {
     EXPECT_EQ(groom.guides.number, 7u);
 }
 
-TEST(GroomParameters, OneWayOfCountingGuidesTakesThePlaceOfTheOther) {
+TEST(GroomParameters, GuideCountAndShareReplaceEachOther) {
     const GuideCount share =
         groom_of("[guides]\ncount = 7\n", {{"guides.share", std::nullopt, 0.5}}).guides;
     EXPECT_EQ(share.number, std::nullopt);
@@ -44,7 +42,7 @@ TEST(GroomParameters, OneWayOfCountingGuidesTakesThePlaceOfTheOther) {
                 testing::HasSubstr("not both"));
 }
 
-TEST(GroomParameters, SeedsAreTextsWhereDoublesDoNotHoldThem) {
+TEST(GroomParameters, SeedsMayBeTextsBecauseDoublesCannotHoldAll) {
     const auto seed = [](GroomParameter parameter) {
         parameter.name = "strands.seed";
         return groom_of("[strands]\nseed = 5\n", {parameter}).seed;
@@ -58,7 +56,7 @@ TEST(GroomParameters, SeedsAreTextsWhereDoublesDoNotHoldThem) {
                     }),
                     testing::HasSubstr("'seed' must be a whole number"));
     }
-    // In the file itself a text is none.
+    // A text in the file is not a seed.
     EXPECT_THAT(input_error([] { groom_of("[strands]\nseed = '5'\n", {}); }),
                 testing::HasSubstr("'seed' must be a whole number"));
 }

@@ -22,7 +22,7 @@ std::string error_of(std::string_view text) {
     return input_error([&] { groom_of(text); });
 }
 
-TEST(Groom, AnEmptyFileIsTheMadeGroom) {
+TEST(Groom, AnEmptyFileIsTheGeneratedGroom) {
     const GroomSettings groom = groom_of("");
     EXPECT_EQ(groom.name, "g.toml");
     EXPECT_TRUE(groom.strands_file.empty());
@@ -84,12 +84,12 @@ tip = 0.002
     EXPECT_EQ(groom.intervals, 36);
     EXPECT_EQ(groom.expand.basis, CurveBasis::hermite);
     EXPECT_EQ(groom.expand.shape, CurveShape::round);
-    // Widths in the file, radii in the curves.
+    // The file has widths, curves have radii.
     EXPECT_FLOAT_EQ(groom.expand.taper.root, 0.005f);
     EXPECT_FLOAT_EQ(groom.expand.taper.tip, 0.001f);
 }
 
-TEST(Groom, ReadsTheGroomToMake) {
+TEST(Groom, ReadsTheGeneratedGroom) {
     const GroomSettings groom = groom_of(
         "[guides.made]\nstrands = 77\nseed = 5\nshortest = 10\nlongest = 12\n"
         "curl_radius = 0.2\ncurl_wavelength = 3\nfrizz = 0\n");
@@ -109,12 +109,12 @@ TEST(Groom, PathsAreRelativeToItsFolder) {
     EXPECT_EQ(groom.strands_file.lexically_normal(), folder / "b/c.hair");
 }
 
-TEST(Groom, GravityOfItsOwnStays) {
+TEST(Groom, GravityInTheFileReplacesTheDefault) {
     const GroomSettings groom = groom_of("[scene]\nup = \"Z\"\ngravity = [0, 1, -2]\n");
     EXPECT_EQ(groom.scene.gravity, Vec3(0, 1, -2));
 }
 
-TEST(Groom, ErrorsNameTheLineAndTheKeyThatWasMeant) {
+TEST(Groom, ErrorsNameTheLineAndTheNearestKey) {
     EXPECT_EQ(error_of("[strands]\ncount = 10\nneighbors = 3\n"),
               "g.toml:3: unknown key 'neighbors' in [strands], did you mean "
               "'neighbours'?");
@@ -139,12 +139,12 @@ TEST(Groom, ErrorsNameTheRange) {
 
 TEST(Groom, ContradictionsAreErrors) {
     EXPECT_THAT(error_of("[guides]\ncount = 5\nshare = 0.1\n"),
-                StartsWith("g.toml:3: guides are chosen by 'count' or by 'share'"));
+                StartsWith("g.toml:3: set either 'count' or 'share'"));
     EXPECT_THAT(error_of("[guides]\nfile = \"a.hair\"\n[guides.made]\nstrands = 4\n"),
-                HasSubstr("either a 'file' or is 'made', not both"));
+                HasSubstr("set either 'file' or [guides.made]"));
 }
 
-TEST(GuideCount, ReadsNumbersAndShares) {
+TEST(GuideCount, ReadsNumbersAndPercentages) {
     EXPECT_EQ(parse_guide_count("400", "x").number, 400u);
     EXPECT_EQ(parse_guide_count("400", "x").share, std::nullopt);
     EXPECT_DOUBLE_EQ(*parse_guide_count("5%", "x").share, 0.05);
@@ -152,16 +152,17 @@ TEST(GuideCount, ReadsNumbersAndShares) {
     EXPECT_DOUBLE_EQ(*parse_guide_count("100%", "x").share, 1);
 }
 
-TEST(GuideCount, RejectsWhatIsNeither) {
+TEST(GuideCount, RejectsEverythingElse) {
     for (const char* text : {"", "0", "-3", "3.5", "abc", "5 %", "%", "0%", "-1%", "101%",
                              "nan", "nan%", "inf", "1e300", "5%%", "7 guides"}) {
-        EXPECT_THAT(input_error([&] { parse_guide_count(text, "--guides"); }),
-                    StartsWith("--guides: '" + std::string(text) + "' is no number"))
+        EXPECT_THAT(
+            input_error([&] { parse_guide_count(text, "--guides"); }),
+            StartsWith("--guides: invalid number of guides '" + std::string(text) + "'"))
             << text;
     }
 }
 
-TEST(GuideCount, NeverAsksForMoreThanThereAre) {
+TEST(GuideCount, IsAtMostTheNumberOfStrands) {
     EXPECT_EQ(GuideCount{}.of(100), 100u);
     EXPECT_EQ(GuideCount{}.of(10000), 500u);
     EXPECT_EQ((GuideCount{.number = 50, .share = {}}.of(20)), 20u);
@@ -170,7 +171,7 @@ TEST(GuideCount, NeverAsksForMoreThanThereAre) {
     EXPECT_EQ((GuideCount{.number = {}, .share = 1.0}.of(33)), 33u);
 }
 
-TEST(Groom, RibbonsAreBSplinesAlone) {
+TEST(Groom, RibbonsMustBeBSplines) {
     const GroomSettings lawn =
         groom_of("[guides.made]\nkind = 'lawn'\n[strands]\nshape = 'ribbon'\n");
     EXPECT_EQ(lawn.made.kind, MadeKind::lawn);

@@ -33,9 +33,9 @@ CheckReport check_of(const ReadyGroom& ready, Blend blend) {
     const Curves curves = expand(ready.binding, ready.profiles, settings);
     CheckTolerances tolerances;
     tolerances.distance = ready.groom.tolerance;
-    const ClassedGuides alike =
+    const ClassedGuides guides =
         test::one_class(ready.profiles, ready.binding.guide_normals, blend);
-    return check_strands({ready.binding, ready.placed.guides, alike, curves, settings,
+    return check_strands({ready.binding, ready.placed.guides, guides, curves, settings,
                           ready.groom.bind.length_scale, tolerances});
 }
 
@@ -60,12 +60,12 @@ TEST(ReadyGroom, MakesTheSmallGroomFromEndToEnd) {
     EXPECT_TRUE(ready.placed.whole_scalp);
     ASSERT_TRUE(ready.placed.body);
     for (const Vec3f& p : ready.binding.roots.positions) {
-        // The scalp is a mesh inside the ellipsoid whose vertices lie on it.
+        // The mesh is inscribed in the ellipsoid: its vertices lie on it.
         const double level = p.cast<double>().cwiseQuotient(kMadeHead).squaredNorm();
         EXPECT_LE(level, 1 + 1e-5);
         EXPECT_GT(level, 0.97);
     }
-    // Guides of 25 to 35 cm, and so are the children.
+    // Guides have 25 to 35 cm, and so do their children.
     for (const float length : ready.binding.lengths) {
         EXPECT_GT(length, 24);
         EXPECT_LT(length, 36);
@@ -97,8 +97,8 @@ TEST(ReadyGroom, BlendOfPositionsLosesTheLengthThatOption1Keeps) {
     for (const StrandCheck& s : check_of(ready, Blend::position).strands) {
         position.push_back(s.length_error);
     }
-    // A mean of unit tangents is shorter than one: never longer, and in waves that differ
-    // from guide to guide well shorter.
+    // A mean of unit tangents is at most 1 long, and clearly shorter if the guides' waves
+    // differ.
     EXPECT_LT(median(position), -0.01);
     EXPECT_LT(std::ranges::max(position), 1e-3);
     EXPECT_NEAR(median(option1), 0, 1e-5);
@@ -113,13 +113,13 @@ TEST(ReadyGroom, IsTheSameEveryTime) {
     EXPECT_EQ(a.profiles.count, b.profiles.count);
 }
 
-TEST(ReadyGroom, TakesGuidesFromACacheAsTheyAre) {
+TEST(ReadyGroom, DoesNotChangeGuidesFromACache) {
     TemporaryFolder folder;
     GroomSettings groom = small_made_groom();
     const Guides guides = make_ready_groom(groom).placed.guides;
     write_guide_cache(folder / "guides.h5", {}, {&guides, 1});
     groom.strands_file = folder / "guides.h5";
-    groom.strands = 20;  // on the guides' own roots: a cache alone has no scalp
+    groom.strands = 20;  // at the guides' roots, as a cache has no scalp
     const ReadyGroom cached = make_ready_groom(groom);
     EXPECT_EQ(cached.placed.guides.root_positions, guides.root_positions);
     EXPECT_EQ(cached.placed.guides.root_frames, guides.root_frames);
@@ -151,7 +151,7 @@ TEST(ReadyGroom, ScalesFilesToCentimetres) {
     const ReadyGroom metres = make_ready_groom(groom);
     ASSERT_EQ(metres.placed.guides.size(), 30u);
     for (std::size_t g = 0; g < 30; ++g) {
-        // Points of up to 40 cm, rounded twice more on their way through metres.
+        // Coordinates up to 40 cm, rounded twice more by the conversion to metres.
         EXPECT_LT((metres.placed.guides.root_positions[g] -
                    centimetres.placed.guides.root_positions[g])
                       .norm(),
@@ -163,7 +163,7 @@ TEST(ReadyGroom, ScalesFilesToCentimetres) {
 
 TEST(ReadyGroom, SnapsRootsToTheScalpAndCountsThem) {
     TemporaryFolder folder;
-    // Straight strands 0.25 cm above a square, but for the first, which stands on it.
+    // Straight strands 0.25 cm above a square, except the first, which stands on it.
     Strands strands;
     for (int i = 0; i < 9; ++i) {
         const float z = i == 0 ? 0 : 0.25f;
@@ -204,7 +204,7 @@ TEST(ReadyGroom, ErrorsNameTheFile) {
 TEST(ReadyGroom, GrowsARealGroom) {
     const std::filesystem::path data = LANCRET_SOURCE_DIR "/../shared/data";
     if (!std::filesystem::exists(data / "sintel.hair")) {
-        GTEST_SKIP() << "no real grooms in " << data;
+        GTEST_SKIP() << "no groom files in " << data;
     }
     GroomSettings groom;
     groom.name = "sintel";

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A made head of 60 strands, 20 guides and 400 children.
+/// A generated head with 60 strands, 20 guides and 400 children.
 const ReadyGroom& small_groom() {
     static const ReadyGroom ready = [] {
         GroomSettings groom;
@@ -67,9 +67,9 @@ TEST(Pose, RigidMotionOfEverythingMovesTheChildrenRigidly) {
         const Curves rest = expand(g.binding, g.profiles, {.blend = blend});
         const Curves posed = children(g, guides, kMoved, blend);
         const double off = distance_from_image(rest, posed, kMoved);
-        // Single-precision frames are good to 5e-7, those of the guides at rest and
-        // turned as those of the children: up to 36 cm from the root, 4 * 5e-7 * 36 cm.
-        // Places some 80 cm away round by 2^-24 of that.
+        // Single-precision frames have errors up to 5e-7: four of them (guides and
+        // children, at rest and moved) at up to 36 cm from the root, 4 * 5e-7 * 36 cm.
+        // Places about 80 cm away round by 2^-24 of that.
         EXPECT_LE(off, 8e-5);
     }
 }
@@ -93,16 +93,16 @@ TEST(Pose, InDoublePrecisionEveryBlendMovesRigidly) {
                 largest = std::max(largest, (b[j].position - image).norm());
             }
         }
-        // The scalp's normals are in floats, the child's and each guide's, at rest and
-        // turned: 6e-8 each. What they are off turns a guide's root as a whole; of what
-        // the blends sum, the guides' mean tangent is never shorter than 0.8 here, and
-        // option 1's mean of normals weighs a whole root's turn not above 8 times over.
+        // The scalp's normals are floats, the child's and each guide's, at rest and
+        // moved: 6e-8 each. Their errors rotate a guide's root as a whole. Of the sums
+        // in the blends, the guides' mean tangent is never shorter than 0.8 here, and
+        // option 1's mean of normals amplifies a root's rotation by at most 8.
         const double once = 4 * 6e-8 / 0.8 * 36;
         EXPECT_LE(largest, entry.rates == BlendRates::blended ? 8 * once : once);
     }
 }
 
-TEST(Pose, PosesDoNotAddUp) {
+TEST(Pose, PosesDoNotAccumulate) {
     const ReadyGroom& g = small_groom();
     const RestPlaces rest = rest_places(g.binding, g.placed);
     Binding binding = g.binding;
@@ -123,16 +123,16 @@ TEST(Pose, TheRestMeshIsTheRestPose) {
     EXPECT_EQ(binding.roots.positions, g.binding.roots.positions);
     EXPECT_EQ(binding.roots.normals, g.binding.roots.normals);
     EXPECT_EQ(binding.guide_normals, g.binding.guide_normals);
-    // A place keeps its (u, v) in floats, 6e-8 of an edge of less than 10 cm, and the
-    // closest point is found in them.
+    // A place stores (u, v) as floats, 6e-8 of an edge shorter than 10 cm, and the
+    // closest point is computed in floats.
     ASSERT_EQ(roots.size(), g.placed.guides.size());
     for (std::size_t i = 0; i < roots.size(); ++i)
         EXPECT_LE((roots[i] - g.placed.guides.root_positions[i]).norm(), 1e-5);
 }
 
-TEST(Pose, AMeshThatStretchesTakesRootsAndNormalsAlong) {
-    // z = 0.5 x over a square: every root rises by half its x, normals lean by (-1, 0,
-    // 2).
+TEST(Pose, RootsAndNormalsFollowAStretchedMesh) {
+    // z = 0.5 x over a square: every root rises by half its x, and normals become
+    // (-1, 0, 2).
     const ReadyGroom& g = small_groom();
     TriangleMesh sheared = g.placed.scalp->mesh;
     for (Vec3f& p : sheared.positions) p.z() += 0.5f * p.x();
@@ -142,15 +142,15 @@ TEST(Pose, AMeshThatStretchesTakesRootsAndNormalsAlong) {
     for (std::size_t i = 0; i < binding.size(); ++i) {
         const Vec3f& rest = g.binding.roots.positions[i];
         const Vec3f expected = rest + Vec3f(0, 0, 0.5f * rest.x());
-        // A shear is linear: it acts on a place between corners as on the corners. What
-        // is left is the floats' round-off, some 2^-24 of 20 cm for each corner.
+        // A shear is linear, so it maps places between corners like the corners. What
+        // remains is float round-off, about 2^-24 of 20 cm per corner.
         EXPECT_LE((binding.roots.positions[i] - expected).norm(), 1e-5);
         const Vec3 normal = scalp_normal(scalp, g.binding.roots.places[i]);
         EXPECT_LE((binding.roots.normals[i].cast<double>() - normal).norm(), 1e-6);
     }
 }
 
-TEST(Pose, CarriersGoAlongWithTheMesh) {
+TEST(Pose, CarriersFollowTheMesh) {
     const ReadyGroom& g = small_groom();
     const RestPlaces rest = rest_places(g.binding, g.placed);
     const std::size_t count = rest.guide_places.size();
@@ -159,11 +159,11 @@ TEST(Pose, CarriersGoAlongWithTheMesh) {
     const auto after =
         carriers(ScalpPose(posed_mesh(mesh, kMoved)), rest.guide_places, count);
     for (std::size_t i = 0; i < count; ++i) {
-        // Corners are floats of up to some 50 cm, 3e-6 each, on edges of about 1 cm.
+        // Corners are floats up to about 50 cm, 3e-6 each, on edges of about 1 cm.
         EXPECT_LE((after[i].rotation - kMoved.rotation * before[i].rotation).norm(),
                   1e-4);
         EXPECT_LE((after[i].translation - kMoved * before[i].translation).norm(), 2e-5);
-        // The place itself: a guide's root stands on it.
+        // The place itself, which is a guide's root.
         EXPECT_LE((before[i].translation - rest.guide_roots[i]).norm(), 1e-5);
         const Mat3 gram = after[i].rotation.transpose() * after[i].rotation;
         EXPECT_LE((gram - Mat3::Identity()).norm(), 1e-14);
@@ -184,8 +184,8 @@ TEST(Pose, ARigidlyMovedMeshIsARigidPose) {
     pose_binding(rigid, rest, kMoved);
     pose_binding(meshed, rest, ScalpPose(mesh));
     for (std::size_t i = 0; i < rigid.size(); ++i) {
-        // Corners up to 60 cm away are good to 2^-24 of that; normals follow edges of
-        // about a centimetre.
+        // Corners up to 60 cm away have errors of 2^-24 of that; normals are computed
+        // from edges of about a centimetre.
         EXPECT_LE((rigid.roots.positions[i] - meshed.roots.positions[i]).norm(), 2e-5);
         EXPECT_LE((rigid.roots.normals[i] - meshed.roots.normals[i]).norm(), 1e-4);
     }
@@ -206,7 +206,7 @@ TEST(Pose, FollowsAHeadOnAPathOfKeys) {
     const RestRoot rest{{Mat3::Identity(), g.binding.roots.positions[5].cast<double>()},
                         {}};
     const RootMotion moved_root = root_motion(scalp_at(motion, 4), rest);
-    // Rounded to floats of at most 20 cm.
+    // Float round-off of at most 20 cm.
     EXPECT_LE(
         (binding.roots.positions[5].cast<double>() - moved_root.pose.position).norm(),
         2e-6);
