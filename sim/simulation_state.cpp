@@ -33,7 +33,7 @@ RootMotion between(const RootMotion& a, const RootMotion& b, double share) {
 /// Written so that a number that is not finite fails too.
 bool within(double x, double low, double high = 1e15) { return x >= low && x <= high; }
 
-void check(const SimulationSettings& s) {
+void validate(const SimulationSettings& s) {
     require(within(s.gravity.cwiseAbs().maxCoeff(), 0) && s.gravity.allFinite(),
             "Simulation: gravity must be finite");
     require(within(s.drag, 0), "Simulation: drag must be at least 0");
@@ -59,7 +59,7 @@ void check(const SimulationSettings& s) {
     }
 }
 
-void check(const Guides& rest) {
+void validate(const Guides& rest) {
     require(rest.size() > 0 && rest.segments > 0,
             "Simulation: expected at least one guide with at least one segment");
     const std::size_t all = rest.size() * std::size_t(rest.segments);
@@ -89,8 +89,8 @@ SimulationState::SimulationState(const Guides& rest, SimulationSettings s,
               {}, {},
               {}, {}};
       }) {
-    check(guides);
-    check(settings);
+    validate(guides);
+    validate(settings);
     require(scene.roots.size() == guides.size(),
             "Simulation: expected one root per guide");
     require(within(scene.frames_per_second, 1e-6),

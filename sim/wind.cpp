@@ -1,8 +1,8 @@
 #include "sim/wind.h"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "guides/base/errors.h"
 #include "guides/base/hash.h"
 
 namespace lancret {
@@ -14,29 +14,24 @@ constexpr double kTwoPi = 2 * kPi;
 /// The random numbers of a wave.
 enum Salt : std::uint64_t { kHeight, kAzimuth, kPolarisation, kPhase };
 
-void check(const WindSettings& s) {
+void validate(const WindSettings& s) {
     // Written so that a NaN fails.
     const auto within = [](double x, double low) { return x >= low && x <= 1e9; };
-    if (!(s.mean.allFinite() && within(s.mean.cwiseAbs().maxCoeff(), 0))) {
-        throw std::invalid_argument("make_wind: the mean wind must be within 1e9 cm/s");
-    }
-    if (!within(s.turbulence, 0) || !within(s.length_scale, 1e-6) ||
-        !within(s.time_scale, 1e-6)) {
-        throw std::invalid_argument(
+    require(s.mean.allFinite() && within(s.mean.cwiseAbs().maxCoeff(), 0),
+            "make_wind: the mean wind must be within 1e9 cm/s");
+    require(within(s.turbulence, 0) && within(s.length_scale, 1e-6) &&
+                within(s.time_scale, 1e-6),
             "make_wind: turbulence must be at least 0, scales at least 1e-6, all at most "
             "1e9");
-    }
-    if (s.octaves < 1 || s.octaves > 10 || s.waves_per_octave < 1 ||
-        s.waves_per_octave > 100) {
-        throw std::invalid_argument(
+    require(s.octaves >= 1 && s.octaves <= 10 && s.waves_per_octave >= 1 &&
+                s.waves_per_octave <= 100,
             "make_wind: expected 1 to 10 octaves of 1 to 100 waves");
-    }
 }
 
 }  // namespace
 
 Wind make_wind(const WindSettings& settings) {
-    check(settings);
+    validate(settings);
     Wind wind{settings.mean, {}};
     if (settings.turbulence == 0) return wind;
 

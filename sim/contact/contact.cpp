@@ -97,15 +97,15 @@ double RodContact::strand_energy(RodSystem& system, const RodSystem::Point& poin
         if (strands_.cohesion > 0 && distance > reach && distance < 2 * reach) {
             // A well between one and two reaches: one period of a cosine, so that the
             // pull is continuous. Negative curvature is left out of the stiffness.
-            const double x = (distance - reach) / reach, turn = 2 * M_PI * x;
-            const double depth = strands_.cohesion * reach / (2 * M_PI);
-            energy += w * depth * (x * 2 * M_PI - std::sin(turn)) / (2 * M_PI);
+            const double x = (distance - reach) / reach, turn = 2 * kPi * x;
+            const double depth = strands_.cohesion * reach / (2 * kPi);
+            energy += w * depth * (x * 2 * kPi - std::sin(turn)) / (2 * kPi);
             const double pull = depth / reach * (1 - std::cos(turn));
             force -= w * pull * normal;
-            const double bend = depth / (reach * reach) * 2 * M_PI * std::sin(turn);
+            const double bend = depth / (reach * reach) * 2 * kPi * std::sin(turn);
             stiffness += w * std::max(bend, 0.) * normal * normal.transpose();
         } else if (strands_.cohesion > 0 && distance >= 2 * reach) {
-            energy += w * strands_.cohesion * reach / (2 * M_PI);  // out of the well
+            energy += w * strands_.cohesion * reach / (2 * kPi);  // out of the well
         }
         // Viscous friction relative to the other strand's motion. It fades with the
         // distance at the start of the step, so that it is constant within the step.

@@ -7,8 +7,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <stdexcept>
 
+#include "guides/base/errors.h"
 #include "guides/base/hash.h"
 
 namespace lancret {
@@ -42,20 +42,17 @@ std::uint64_t cell_hash(const Vec3& cell) {
 
 void StrandGrid::find(std::span<const Vec3> points,
                       std::span<const std::uint32_t> strands, double radius) {
-    if (points.size() != strands.size() || points.size() > kMaxPoints) {
-        throw std::invalid_argument(
+    require(points.size() == strands.size() && points.size() <= kMaxPoints,
             "StrandGrid: expected one strand per point and at most 2^30 points");
-    }
-    if (!(radius > 0 && std::isfinite(radius))) {
-        throw std::invalid_argument("StrandGrid: the radius must be above 0");
-    }
+    require(radius > 0 && std::isfinite(radius),
+            "StrandGrid: the radius must be above 0");
     // Written so that a NaN fails.
-    if (!std::ranges::all_of(points, [&](const Vec3& p) {
-            return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxRadii * radius;
-        })) {
-        throw std::invalid_argument(
+    require(std::ranges::all_of(points,
+                                [&](const Vec3& p) {
+                                    return p.allFinite() &&
+                                           p.cwiseAbs().maxCoeff() <= kMaxRadii * radius;
+                                }),
             "StrandGrid: points must be within 1e10 radii of the origin");
-    }
     sort_into_buckets(points, strands, kCellWidth * radius);
     neighbours_.resize(kMax * points.size());
     counts_.resize(points.size());

@@ -21,7 +21,7 @@ double neutral_eigenvalue(const HangingRod& rod) {
 }
 
 RodBranch::RodBranch(const HangingRod& rod) : rod_(rod) {
-    check_rod(rod);
+    validate_rod(rod);
     stiffness_ = stiffness_diagonal(rod);
     natural_ = natural_curvatures(rod);
     spread_.resize(natural_.size());

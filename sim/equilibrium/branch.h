@@ -22,7 +22,7 @@ double neutral_eigenvalue(const HangingRod& rod);
 /// Hessian, whether or not it is stable.
 class RodBranch {
   public:
-    /// Throws as check_rod does.
+    /// Throws as validate_rod does.
     explicit RodBranch(const HangingRod& rod);
 
     double weight() const { return weight_; }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "guides/base/errors.h"
 #include "sim/equilibrium/branch.h"
 #include "sim/rod/mass.h"
 
@@ -15,10 +15,8 @@ std::vector<double> rod_frequencies(const HangingRod& rod, const Eigen::VectorXd
     const Solver stiffness(scaled_hessian(rod, rod_hessian(rod, q)));
     const Eigen::VectorXd& rates = stiffness.eigenvalues();
     const double neutral = neutral_eigenvalue(rod);
-    if (!(rates(0) > -neutral)) {
-        throw std::invalid_argument(
+    require(rates(0) > -neutral,
             "rod_frequencies: the shape is not a minimum of the energy");
-    }
     Eigen::Index slack = 0;
     while (slack < rates.size() && rates(slack) < neutral) ++slack;
     const Eigen::Index rest = rates.size() - slack;

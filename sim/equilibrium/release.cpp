@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "guides/base/errors.h"
 
 namespace lancret {
 
@@ -10,15 +11,11 @@ namespace {
 
 std::size_t step_count(const ReleaseSettings& settings) {
     const double count = std::ceil(settings.duration / settings.step * (1 - 1e-12));
-    if (!(settings.duration > 0) || !(settings.step > 0) || !(count <= 1e8) ||
-        !std::isfinite(settings.duration)) {
-        throw std::invalid_argument(
+    require(settings.duration > 0 && settings.step > 0 && count <= 1e8 &&
+                std::isfinite(settings.duration),
             "release_rod: duration and step must be above 0 and give at most 10^8 steps");
-    }
-    if (settings.max_samples < 2 || settings.shapes < 2) {
-        throw std::invalid_argument(
+    require(settings.max_samples >= 2 && settings.shapes >= 2,
             "release_rod: expected at least two samples and two shapes");
-    }
     return std::max<std::size_t>(std::size_t(count), 1);
 }
 
@@ -34,7 +31,7 @@ StepSettings to_round_off(Integrator integrator) {
 
 RodRelease release_rod(const HangingRod& hanging, const ReleaseSettings& settings,
                        const std::function<void(double)>& progress) {
-    check_rod(hanging);
+    validate_rod(hanging);
     const std::size_t count = step_count(settings);
     const double eps = settings.duration / double(count);
     const Rod rod{hanging.lengths, hanging.natural, hanging.section};

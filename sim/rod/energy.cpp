@@ -72,7 +72,7 @@ Mat3 diagonal_block(const SegmentIntegrals& integrals, const HelixStepDerivative
 
 }  // namespace
 
-void check_rod(const HangingRod& rod) {
+void validate_rod(const HangingRod& rod) {
     require(!rod.lengths.empty(), "HangingRod: expected at least one segment");
     require(rod.natural.size() == rod.lengths.size(),
             "HangingRod: expected one natural curvature per segment");

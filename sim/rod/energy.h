@@ -29,7 +29,7 @@ struct HangingRod {
 /// Throws std::invalid_argument if the rod has no segment, arrays of unequal length, a
 /// number that is not finite, a length, stiffness or density that is not above 0, or a
 /// root frame that is not a rotation to 1e-9.
-void check_rod(const HangingRod& rod);
+void validate_rod(const HangingRod& rod);
 
 double rod_length(const HangingRod& rod);
 /// The natural curvatures as q.

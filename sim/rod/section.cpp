@@ -1,7 +1,8 @@
 #include "sim/rod/section.h"
 
 #include <cmath>
-#include <stdexcept>
+
+#include "guides/base/errors.h"
 
 namespace lancret {
 
@@ -9,16 +10,12 @@ RodSection rod_section(const RodMaterial& material, Dissipation form, double dam
     const auto& [young, poisson, a1, a2, density] = material;
     // Written so that a NaN fails.
     const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
-    if (!positive(young) || !positive(a1) || !positive(a2) || !positive(density)) {
-        throw std::invalid_argument(
+    require(positive(young) && positive(a1) && positive(a2) && positive(density),
             "rod_section: modulus, radii and density must be finite and above 0");
-    }
-    if (!(poisson > -1 && poisson <= 0.5)) {
-        throw std::invalid_argument("rod_section: Poisson's ratio must be in (-1, 0.5]");
-    }
-    if (!(damping >= 0 && std::isfinite(damping))) {
-        throw std::invalid_argument("rod_section: damping must be finite and at least 0");
-    }
+    require(poisson > -1 && poisson <= 0.5,
+            "rod_section: Poisson's ratio must be in (-1, 0.5]");
+    require(damping >= 0 && std::isfinite(damping),
+            "rod_section: damping must be finite and at least 0");
     const double shear = young / (2 * (1 + poisson));
     const double torsion = kPi * std::pow(a1 * a2, 3) / (a1 * a1 + a2 * a2);
     RodSection out;

@@ -152,9 +152,9 @@ TEST(RodMass, NullityIsTheNumberOfStraightSegments) {
 TEST(HangingRod, InvalidRodsAreRejected) {
     const auto refuses = [](auto change) {
         HangingRod rod = uneven_rod();
-        EXPECT_NO_THROW(check_rod(rod));
+        EXPECT_NO_THROW(validate_rod(rod));
         change(rod);
-        EXPECT_THROW(check_rod(rod), std::invalid_argument);
+        EXPECT_THROW(validate_rod(rod), std::invalid_argument);
     };
     refuses([](HangingRod& r) { r.lengths[1] = 0; });
     refuses([](HangingRod& r) { r.lengths.pop_back(); });
