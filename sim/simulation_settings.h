@@ -34,7 +34,7 @@ struct SimulationSettings {
     bool sag_free = true;          ///< the groom is at rest under gravity
 };
 
-/// What the guides move with.
+/// The motion of the scalp and the bodies around the guides.
 struct SimulationScene {
     ScalpMotion motion;
     std::vector<RestRoot> roots;  ///< [guides], at rest

@@ -145,7 +145,7 @@ std::size_t count_falling(const Simulation& simulation,
 
 /// Statistics of the frames that were simulated.
 struct FramesReport {
-    int begun = 0;  ///< frame number of the state that the run started from
+    int start_frame = 0;  ///< frame number of the state that the run started from
     SimulationReport total;
     double deepest = 0;     ///< cm
     int deepest_frame = 0;  ///< frame number
@@ -162,11 +162,11 @@ FramesReport run_frames(Simulation& simulation, FrameStore& store, int first, in
         store.add(simulation.guides(), simulation.restart());
     }
     FramesReport out;
-    out.begun = first + store.frames_done() - 1;
+    out.start_frame = first + store.frames_done() - 1;
     out.deepest_frame = first;
     Stopwatch watch;
     ProgressBar bar("simulate");
-    for (int frame = out.begun; frame < last; ++frame) {
+    for (int frame = out.start_frame; frame < last; ++frame) {
         simulation.advance();
         store.add(simulation.guides(), simulation.restart());
         const SimulationReport report = simulation.take_report();
@@ -175,17 +175,17 @@ FramesReport run_frames(Simulation& simulation, FrameStore& store, int first, in
             out.deepest = report.deepest;
             out.deepest_frame = frame + 1;
         }
-        bar.show(double(frame + 1 - out.begun) / (last - out.begun));
+        bar.show(double(frame + 1 - out.start_frame) / (last - out.start_frame));
     }
     out.seconds = watch.lap();
     return out;
 }
 
 nlohmann::json stats_of(const PreparedJob& prepared, const FramesReport& run) {
-    const std::size_t frames = std::size_t(std::max(prepared.last - run.begun, 0));
+    const std::size_t frames = std::size_t(std::max(prepared.last - run.start_frame, 0));
     nlohmann::json stats;
     stats["frames"] = {{"first", prepared.first},
-                       {"last", std::max(prepared.last, run.begun)},
+                       {"last", std::max(prepared.last, run.start_frame)},
                        {"simulated", frames}};
     stats["guides"] = prepared.placed.guides.size();
     stats["segments"] = prepared.placed.guides.segments;
@@ -216,8 +216,8 @@ void print_summary(const std::string& output, const PreparedJob& prepared,
         "{}: {} guides of {} segments, frames {}-{}; {} simulated in {:.2f} s{}; deepest "
         "penetration {:.4f} cm{}\n",
         output, prepared.placed.guides.size(), prepared.placed.guides.segments,
-        prepared.first, std::max(prepared.last, run.begun),
-        std::max(prepared.last - run.begun, 0), run.seconds,
+        prepared.first, std::max(prepared.last, run.start_frame),
+        std::max(prepared.last - run.start_frame, 0), run.seconds,
         total.steps ? fmt::format(" ({:.1f} us per step of one guide, all threads)",
                                   run.seconds * 1e6 / double(total.steps))
                     : "",

@@ -127,7 +127,7 @@ class RodStepper {
     void measure(const Rod& rod, const RodMotionStep& step, double h, StepReport& report);
 
     PointLayout layout_;
-    Motion now_;      ///< what inertia carries on: the current motion, or BDF2's mean
+    Motion now_;      ///< extrapolated by inertia: the current motion, or BDF2's mean
     Motion before_;   ///< one step earlier
     Motion earlier_;  ///< two or three steps earlier
     PointVectors targets_;

@@ -170,9 +170,9 @@ void bias(const SegmentLoop& segment, const RateVectors& rates, const StartMotio
         const auto c = stumpff_functions<Lanes>(u * u * square, segment.halvings, tail);
         const Vec3L d = turned(segment.frame, position(rates, u, c));
         const Vec3L relative = turned(segment.frame, relative_velocity(rates, u, c));
-        const Vec3L own = turned(segment.frame, relative_bias(rates, u, c, tail));
+        const Vec3L bending = turned(segment.frame, relative_bias(rates, u, c, tail));
         store(spread(start.acceleration) + cross(spread(start.angular_acceleration), d) +
-                  cross(omega, cross(omega, d) + Lanes(2.) * relative) + own,
+                  cross(omega, cross(omega, d) + Lanes(2.) * relative) + bending,
               out, stride, i);
     }
 }
