@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "guides/files/guide_cache.h"
+#include "guides/files/guide_cache_restart.h"
 #include "sim/contact/contact.h"
 
 namespace lancret {

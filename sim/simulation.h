@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "guides/files/guide_cache.h"
+#include "guides/files/guide_cache_restart.h"
 #include "sim/simulation_settings.h"
 
 namespace lancret {

@@ -1,22 +1,14 @@
 #include "tools/dynamics_settings.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "guides/base/errors.h"
-#include "guides/files/obj_file.h"
+#include "guides/bodies/moving_bodies.h"
 #include "guides/mesh/closest_point.h"
 
 namespace lancret {
 
 namespace {
-
-constexpr std::string_view kDissipations[] = {"viscoelastic", "uniform"};
-constexpr std::string_view kIntegrators[] = {"implicit-euler", "bdf2", "semi-implicit"};
-constexpr std::string_view kShapes[] = {"sphere", "capsule", "mesh"};
 
 void read_material(const TomlTable& dynamics, SimulationSettings& out) {
     RodMaterial& hair = out.material;
@@ -26,9 +18,7 @@ void read_material(const TomlTable& dynamics, SimulationSettings& out) {
     hair.radius2 = hair.radius1;
     assign_if(hair.radius2, dynamics.number("radius2", 1e-5, 10));
     assign_if(hair.density, dynamics.number("density", 1e-3, 1e3));
-    if (const auto form = dynamics.choice("dissipation", kDissipations)) {
-        out.dissipation = Dissipation(*form);
-    }
+    assign_if(out.dissipation, dynamics.choice("dissipation", kDissipationNames));
     assign_if(out.damping, dynamics.number("damping", 0, 1e6));
     assign_if(out.drag, dynamics.number("drag", 0, 1e3));
 }
@@ -62,50 +52,11 @@ void read_wind(const TomlTable& wind, WindSettings& out) {
 }
 
 void read_step(const TomlTable& dynamics, SimulationSettings& out) {
-    if (const auto choice = dynamics.choice("integrator", kIntegrators)) {
-        out.step.integrator = Integrator(*choice);
-    }
+    assign_if(out.step.integrator, dynamics.choice("integrator", kIntegratorNames));
     assign_if(out.substeps, dynamics.integer("substeps", 1, 1000));
     assign_if(out.adaptive, dynamics.boolean("adaptive"));
     assign_if(out.error_tolerance, dynamics.number("error_tolerance", 1e-6, 1e3));
     assign_if(out.sag_free, dynamics.boolean("sag_free"));
-}
-
-ColliderSettings read_collider(const TomlTable& table) {
-    ColliderSettings out;
-    const auto shape = table.choice("shape", kShapes);
-    if (!shape) table.fail("", "a collider needs its 'shape'");
-    if (*shape == 2) {
-        const auto file = table.path("file");
-        if (!file) table.fail("shape", "a mesh needs its 'file'");
-        out.shape = *file;
-    } else {
-        Capsule body;
-        assign_if(body.radius, table.number("radius", 1e-3, 1e4));
-        assign_if(body.a, bounded_vector(table, *shape == 0 ? "centre" : "from"));
-        body.b = body.a;
-        if (*shape == 1) assign_if(body.b, bounded_vector(table, "to"));
-        out.shape = body;
-    }
-    assign_if(out.with_head, table.boolean("with_head"));
-    read_motion_keys(table, out.motion);
-    if (out.with_head && !out.motion.keys.empty()) {
-        table.fail("keys", "a collider moves with the head or by keys, not both");
-    }
-    return out;
-}
-
-/// A body of the scene, with what moves it.
-struct MovingBody {
-    int index;
-    std::shared_ptr<const ScalpMotion> motion;  ///< nothing: it stands still
-    bool deforms;                               ///< with the scalp's own vertices
-};
-
-TriangleMesh read_body(const std::filesystem::path& file, double scale) {
-    TriangleMesh mesh = read_obj(file);
-    for (Vec3f& p : mesh.positions) p *= float(scale);
-    return mesh;
 }
 
 }  // namespace
@@ -121,14 +72,7 @@ DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene,
     read_strands(dynamics.table("strands"), out.simulation.strand_contact);
     read_wind(dynamics.table("wind"), out.simulation.wind);
     out.motion = std::move(motion);
-    for (const TomlTable& table : toml.tables("colliders")) {
-        out.colliders.push_back(read_collider(table));
-        if (out.colliders.back().with_head && !out.motion.files.pattern.empty()) {
-            table.fail("with_head",
-                       "'with_head': nothing moves with a head that deforms; give it "
-                       "'keys'");
-        }
-    }
+    out.colliders = read_colliders(toml, out.motion);
     return out;
 }
 
@@ -138,44 +82,16 @@ SimulationScene simulation_scene(const DynamicsSettings& settings,
     const TriangleMesh* rest = placed.scalp ? &placed.scalp->mesh : nullptr;
     const auto head = std::make_shared<const ScalpMotion>(
         scalp_motion(settings.motion, rest, frames_per_second));
+    const bool deforms = settings.motion.deforms();
+    const TriangleMesh* body = placed.body && !deforms ? &*placed.body : rest;
+    MovingBodies bodies = moving_bodies(
+        {head, settings.collide_with_head ? body : nullptr, deforms}, settings.colliders,
+        scene.centimetres_per_unit(), frames_per_second);
     SimulationScene out{scalp_motion(settings.motion, rest, frames_per_second),
                         {},
                         frames_per_second,
-                        {},
-                        {}};
-    const bool deforms = !settings.motion.files.pattern.empty();
-    std::vector<MovingBody> bodies;
-    const TriangleMesh* body = placed.body && !deforms ? &*placed.body : rest;
-    if (settings.collide_with_head && body) {
-        bodies.push_back({out.colliders.add(*body), head, deforms});
-    }
-    for (const ColliderSettings& collider : settings.colliders) {
-        const int index = std::holds_alternative<Capsule>(collider.shape)
-                              ? out.colliders.add(std::get<Capsule>(collider.shape))
-                              : out.colliders.add(read_body(
-                                    std::get<std::filesystem::path>(collider.shape),
-                                    scene.centimetres_per_unit()));
-        std::shared_ptr<const ScalpMotion> motion;
-        if (collider.with_head) motion = head;
-        if (!collider.motion.keys.empty()) {
-            motion = std::make_shared<const ScalpMotion>(
-                scalp_motion(collider.motion, nullptr, frames_per_second));
-        }
-        bodies.push_back({index, motion, false});
-    }
-    const auto rest_mesh =
-        std::make_shared<const TriangleMesh>(deforms && rest ? *rest : TriangleMesh{});
-    out.move_colliders = [bodies, rest_mesh](double frame, Colliders& colliders) {
-        for (const MovingBody& moving : bodies) {
-            if (!moving.motion) continue;
-            const ScalpTime time = scalp_at(*moving.motion, frame);
-            if (moving.deforms) {
-                colliders.move(moving.index, posed(time, *rest_mesh).positions);
-            } else {
-                colliders.move(moving.index, std::get<RigidMotion>(time).pose);
-            }
-        }
-    };
+                        std::move(bodies.colliders),
+                        std::move(bodies.move)};
     std::optional<ClosestPoint> closest;
     if (rest) closest.emplace(*rest);
     for (std::size_t g = 0; g < placed.guides.size(); ++g) {

@@ -2,24 +2,15 @@
 // The dynamics of a groom: the tables [dynamics] and [[colliders]] of its TOML.
 // docs/formats.md lists their keys.
 
-#include <optional>
-#include <string>
-#include <variant>
 #include <vector>
 
+#include "guides/bodies/collider_settings.h"
+#include "guides/motion/motion_settings.h"
 #include "guides/toml/table.h"
-#include "procedural/groom/motion_settings.h"
 #include "procedural/groom/placed_guides.h"
 #include "sim/simulation.h"
 
 namespace lancret {
-
-/// A body beside the head.
-struct ColliderSettings {
-    std::variant<Capsule, std::filesystem::path> shape;  ///< a path is that of an OBJ
-    bool with_head = false;                              ///< moves as the head does
-    MotionSettings motion;                               ///< its own keys, else
-};
 
 struct DynamicsSettings {
     SimulationSettings simulation;

@@ -8,6 +8,7 @@
 
 #include "guides/base/errors.h"
 #include "guides/files/hair_file.h"
+#include "guides/files/hair_file_write.h"
 #include "guides/files/mitsuba_file.h"
 #include "procedural/chunk/chunks.h"
 #include "procedural/expand/child_strands.h"

@@ -9,6 +9,7 @@
 
 #include "guides/base/errors.h"
 #include "guides/files/guide_cache.h"
+#include "guides/files/guide_cache_write.h"
 #include "tools/job.h"
 #include "tools/options.h"
 #include "tools/prepare_groom.h"

@@ -7,6 +7,7 @@
 
 #include "guides/base/errors.h"
 #include "procedural/curves/control_points.h"
+#include "procedural/groom/head_pose.h"
 #include "tools/options.h"
 #include "tools/quiet_stderr.h"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "guides/motion/scalp_pose.h"
 #include "procedural/groom/groom_source.h"
 #include "render_test/settings/preview.h"
 #include "tools/dynamics_settings.h"

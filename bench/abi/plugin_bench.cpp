@@ -18,8 +18,10 @@
 #include <vector>
 
 #include "guides/files/guide_cache.h"
+#include "guides/files/guide_cache_write.h"
 #include "procedural/chunk/chunked_groom.h"
 #include "procedural/groom/groom_source.h"
+#include "procedural/groom/head_pose.h"
 #include "procedural/lancret_procedural.h"
 #include "procedural/motion/moving_groom.h"
 

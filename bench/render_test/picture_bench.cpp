@@ -196,8 +196,8 @@ int run(Options& options) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                       std::size_t(options.threads));
     SphereScene made = sphere_scene(options.scene);
-    for (std::size_t i = 0; i < kLobeWidthNames.size(); ++i)
-        if (options.lobes == kLobeWidthNames[i]) options.render.path.lobes = LobeWidth(i);
+    options.render.path.lobes =
+        value_named(kLobeWidthNames, options.lobes).value_or(options.render.path.lobes);
     HairMaterial material;
     material.eumelanin = options.eumelanin;
     made.scene.hair = HairModel(material);

@@ -11,6 +11,7 @@
 
 #include "guides/base/atomic_file.h"
 #include "guides/base/errors.h"
+#include "guides/files/guide_cache_write.h"
 
 namespace lancret {
 

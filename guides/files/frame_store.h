@@ -12,6 +12,7 @@
 #include <string>
 
 #include "guides/files/guide_cache.h"
+#include "guides/files/guide_cache_restart.h"
 
 namespace lancret {
 

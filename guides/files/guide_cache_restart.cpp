@@ -1,6 +1,5 @@
-#include <stdexcept>
+#include "guides/files/guide_cache_restart.h"
 
-#include "guides/files/guide_cache.h"
 #include "guides/files/guide_cache_reader.h"
 
 namespace lancret {

@@ -1,3 +1,5 @@
+#include "guides/files/guide_cache_write.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -6,7 +8,6 @@
 
 #include "guides/base/atomic_file.h"
 #include "guides/base/errors.h"
-#include "guides/files/guide_cache.h"
 #include "guides/files/guide_cache_hdf5.h"
 
 namespace lancret {

@@ -1,3 +1,5 @@
+#include "guides/files/hair_file_write.h"
+
 #include <fmt/format.h>
 
 #include <cstring>
@@ -6,7 +8,6 @@
 
 #include "guides/base/atomic_file.h"
 #include "guides/base/errors.h"
-#include "guides/files/hair_file.h"
 #include "guides/files/hair_header.h"
 
 namespace lancret {

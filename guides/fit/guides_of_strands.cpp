@@ -1,7 +1,8 @@
+#include "guides/fit/guides_of_strands.h"
+
 #include <optional>
 
 #include "guides/base/cancel.h"
-#include "guides/fit/super_helix_fit.h"
 
 namespace lancret {
 

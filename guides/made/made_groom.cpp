@@ -154,19 +154,26 @@ struct Strand {
     double random(std::uint64_t salt) const {
         return unit_double(hash_bits(settings.seed, id, salt));
     }
-    /// The scalp's smooth variation with a share of the strand's own, in about [-1, 1].
-    double vary(std::uint64_t salt, double own) const {
-        return (1 - own) * field(root, settings.seed, salt) +
-               own * (2 * random(salt) - 1);
+    /// Variation in about [-1, 1]: smooth over the scalp, but `share` of it per strand.
+    double vary(std::uint64_t salt, double share) const {
+        return (1 - share) * field(root, settings.seed, salt) +
+               share * (2 * random(salt) - 1);
     }
     double length() const {
         const double height =
             std::clamp(root.y() / kMadeHead.y() * 0.65 + 0.35, 0.0, 1.0);
         const double t =
             std::clamp(0.85 * height + 0.075 + 0.075 * vary(kLength, 0.5), 0.0, 1.0);
-        const double own = 1 + settings.length_spread * (2 * random(kOwnLength) - 1);
-        return own * (settings.shortest + t * (settings.longest - settings.shortest));
+        const double spread = 1 + settings.length_spread * (2 * random(kOwnLength) - 1);
+        return spread * (settings.shortest + t * (settings.longest - settings.shortest));
     }
+    struct Curl {
+        double wavelength;  ///< cm
+        double phase;       ///< radian, at the root
+        double slope;       ///< of the strand against its spine
+    };
+    Curl curl() const;
+    Vec3 waved(const Curl& waves, double s, const Vec3& spine, const Vec3& across) const;
     std::vector<Vec3> points() const;
 };
 
@@ -183,14 +190,50 @@ Vec3 kept_out(const Vec3& p, Vec3 direction, double ds, double clearance) {
     return outwards(p);
 }
 
-std::vector<Vec3> Strand::points() const {
-    const double ds = length() / (settings.points - 1);
+Strand::Curl Strand::curl() const {
     const double radius = settings.curl_radius * (1 + 0.5 * vary(kRadius, 0.25));
     const double wavelength =
         settings.curl_wavelength * (1 + vary(kWavelength, 0.15) / 3);
     const double phase = (2 * kPi) * (0.9 * field(root, settings.seed, kPhase) +
                                       settings.phase_spread * (2 * random(kPhase) - 1));
     const double slope = wavelength > 0 ? (2 * kPi) * radius / wavelength : 0;
+    return {wavelength, phase, slope};
+}
+
+/// The strand's direction at arc length `s`: its spine's, with the curl and the frizz.
+Vec3 Strand::waved(const Curl& waves, double s, const Vec3& spine,
+                   const Vec3& across) const {
+    const Vec3 along = spine.cross(across);
+    const double grown = 1 - std::exp(-s * s / 16);  // waves start away from the root
+    const double turn =
+        waves.wavelength > 0 ? (2 * kPi) * s / waves.wavelength + waves.phase : 0;
+    Vec3 direction = spine + grown * waves.slope *
+                                 (std::cos(turn) * across + 0.7 * std::sin(turn) * along);
+    for (std::uint64_t k = 0; k < 3; ++k) {
+        const double fine = 1.2 + 2.5 * random(kFrizz + 3 * k);
+        const double angle = (2 * kPi) * random(kFrizz + 3 * k + 1);
+        direction += settings.frizz * grown *
+                     std::sin((2 * kPi) * (s / fine + random(kFrizz + 3 * k + 2))) *
+                     (std::cos(angle) * across + std::sin(angle) * along);
+    }
+    direction.normalize();
+    return direction;
+}
+
+/// In contact at `p` the spine slides along the head.
+void slide_along_head(const Vec3& p, Vec3& spine, Vec3& across) {
+    const Vec3 n = outwards(p);
+    const double inwards = std::min(0.0, spine.dot(n));
+    const Vec3 slid = spine - inwards * n;
+    if (slid.norm() > 1e-3) {
+        across = smallest_rotation<double>(spine, slid.normalized()) * across;
+        spine = slid.normalized();
+    }
+}
+
+std::vector<Vec3> Strand::points() const {
+    const double ds = length() / (settings.points - 1);
+    const Curl waves = curl();
     const double layer = 0.12 + 0.9 * std::pow(random(kLayer), 1.5);
 
     // Away from the parting, which is sharp in front and fades behind the crown.
@@ -207,40 +250,16 @@ std::vector<Vec3> Strand::points() const {
     for (int i = 1; i < settings.points; ++i) {
         const Vec3& p = points.back();
         const double s = (i - 0.5) * ds;
-        // The spine bends towards where it is combed over 1.9 cm, and carries `across`.
+        // Over 1.9 cm the spine bends to the direction of the comb; it carries `across`.
         const Vec3 before = spine;
         spine = (spine + (1 - std::exp(-ds / 1.9)) * (combed(p, parted) - spine))
                     .normalized();
         across = smallest_rotation<double>(before, spine) * across;
         across = (across - spine * spine.dot(across)).normalized();
-        const Vec3 along = spine.cross(across);
-
-        const double grown = 1 - std::exp(-s * s / 16);  // waves start away from the root
-        const double turn = wavelength > 0 ? (2 * kPi) * s / wavelength + phase : 0;
-        Vec3 direction =
-            spine +
-            grown * slope * (std::cos(turn) * across + 0.7 * std::sin(turn) * along);
-        for (std::uint64_t k = 0; k < 3; ++k) {
-            const double fine = 1.2 + 2.5 * random(kFrizz + 3 * k);
-            const double angle = (2 * kPi) * random(kFrizz + 3 * k + 1);
-            direction += settings.frizz * grown *
-                         std::sin((2 * kPi) * (s / fine + random(kFrizz + 3 * k + 2))) *
-                         (std::cos(angle) * across + std::sin(angle) * along);
-        }
-        direction.normalize();
-
+        const Vec3 direction = waved(waves, s, spine, across);
         const double clearance = 0.02 + layer * (1 - std::exp(-s / 2));
         const Vec3 kept = kept_out(p, direction, ds, clearance);
-        if (kept != direction) {
-            // In contact the spine slides along the head.
-            const Vec3 n = outwards(p);
-            const double inwards = std::min(0.0, spine.dot(n));
-            const Vec3 slid = spine - inwards * n;
-            if (slid.norm() > 1e-3) {
-                across = smallest_rotation<double>(spine, slid.normalized()) * across;
-                spine = slid.normalized();
-            }
-        }
+        if (kept != direction) slide_along_head(p, spine, across);
         points.push_back(p + ds * kept);
     }
     return points;

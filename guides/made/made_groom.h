@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "guides/base/named.h"
 #include "guides/mesh/triangle_mesh.h"
 #include "guides/strand/strands.h"
 
@@ -14,6 +15,8 @@ inline const Vec3 kMadeHead{7.5, 11, 9.5};
 
 /// What is made: hair on a head (make_groom) or grass on a hill (made_lawn.h).
 enum class MadeKind { head, lawn };
+inline constexpr Named<MadeKind> kMadeKindNames[] = {{MadeKind::head, "head"},
+                                                     {MadeKind::lawn, "lawn"}};
 
 struct MadeGroomSettings {
     MadeKind kind = MadeKind::head;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "guides/base/named.h"
 #include "guides/base/types.h"
 
 namespace lancret {
@@ -15,6 +16,8 @@ enum class Basis {
     catmull_rom,  ///< the curve passes through them
     bspline,      ///< control points of a uniform cubic B-spline
 };
+inline constexpr Named<Basis> kBasisNames[] = {{Basis::catmull_rom, "catmull-rom"},
+                                               {Basis::bspline, "bspline"}};
 
 /// Any number of strands in flat arrays. An attribute array is empty where the file has
 /// none.

@@ -1,3 +1,5 @@
+#include "guides/toml/overrides.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,25 +12,21 @@
 
 namespace lancret {
 
-namespace {
-
-bool was_laid_over(const toml::node& value) { return value.source().begin.line == 0; }
-
-}  // namespace
+bool is_override(const toml::node& value) { return value.source().begin.line == 0; }
 
 bool TomlTable::is_overridden(std::string_view key) const {
-    return has(key) && was_laid_over(*node_->table->get(key));
+    return has(key) && is_override(*node_->table->get(key));
 }
 
-std::optional<bool> parameter_bit(const toml::node& value) {
-    if (!was_laid_over(value) || !value.is_integer()) return std::nullopt;
+std::optional<bool> override_bit(const toml::node& value) {
+    if (!is_override(value) || !value.is_integer()) return std::nullopt;
     const std::int64_t number = value.as_integer()->get();
     if (number != 0 && number != 1) return std::nullopt;
     return number == 1;
 }
 
-std::optional<std::uint64_t> parameter_seed(const toml::node& value) {
-    if (!was_laid_over(value) || !value.is_string()) return std::nullopt;
+std::optional<std::uint64_t> override_seed(const toml::node& value) {
+    if (!is_override(value) || !value.is_string()) return std::nullopt;
     const std::string& text = value.as_string()->get();
     const char* const end = text.data() + text.size();
     std::uint64_t number = 0;
@@ -38,46 +36,45 @@ std::optional<std::uint64_t> parameter_seed(const toml::node& value) {
 }
 
 template <class T>
-void TomlTable::lay_value_over(std::string_view name, const T& value) {
+void TomlTable::override_value(std::string_view name, const T& value) {
     const auto refuse = [&](std::string_view what) {
         throw InputError(
             fmt::format("{}: parameter '{}': {}", node_->document->name, name, what));
     };
     if (std::ranges::count(name, '.') > kMaxTomlDots) {
         name = name.substr(0, 40);
-        refuse(
-            fmt::format("goes on with too many dots, expected at most {}", kMaxTomlDots));
+        refuse(fmt::format("has too many dots, expected at most {}", kMaxTomlDots));
     }
     toml::table* table = &node_->document->root;
     std::string_view rest = name;
     for (std::size_t dot; (dot = rest.find('.')) != std::string_view::npos;) {
         const std::string_view key = rest.substr(0, dot);
-        if (key.empty()) refuse("is no name; expected one such as 'strands.count'");
+        if (key.empty()) refuse("is not a dotted key such as 'strands.count'");
         toml::node* inner = table->get(key);
         if (!inner) inner = &table->insert(key, toml::table{}).first->second;
-        if (!inner->is_table()) refuse(fmt::format("'{}' is no table", key));
+        if (!inner->is_table()) refuse(fmt::format("'{}' is not a table", key));
         table = inner->as_table();
         rest.remove_prefix(dot + 1);
     }
-    if (rest.empty()) refuse("is no name; expected one such as 'strands.count'");
-    // Gone first, so that its line is not taken for that of the value.
+    if (rest.empty()) refuse("is not a dotted key such as 'strands.count'");
+    // Erased first, so that the new value does not inherit the old key's line.
     table->erase(rest);
     table->insert(rest, value);
 }
 
 void TomlTable::set_override(std::string_view name, std::string_view text) {
-    lay_value_over(name, std::string(text));
+    override_value(name, std::string(text));
 }
 
 void TomlTable::set_override(std::string_view name, double number) {
     constexpr double kExact = 9007199254740992;  // 2^53
     if (number == std::floor(number) && std::abs(number) <= kExact) {
-        lay_value_over(name, std::int64_t(number));
+        override_value(name, std::int64_t(number));
     } else {
-        lay_value_over(name, number);
+        override_value(name, number);
     }
 }
 
-void TomlTable::leave(std::string_view key) const { node_->ask(key); }
+void TomlTable::leave(std::string_view key) const { node_->read(key); }
 
 }  // namespace lancret

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "guides/base/errors.h"
+#include "guides/toml/overrides.h"
 #include "guides/toml/table_node.h"
 #include "guides/toml/text.h"
 
@@ -71,7 +72,7 @@ TomlTable TomlTable::table(std::string_view key) const {
     if (const auto known = node_->children.find(key); known != node_->children.end()) {
         return known->second;
     }
-    const toml::node* value = node_->ask(key);
+    const toml::node* value = node_->read(key);
     if (value && !value->is_table()) fail(key, fmt::format("'{}' must be a table", key));
     TomlTable out;
     out.node_ = std::make_shared<Node>();
@@ -87,7 +88,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
         return known->second;
     }
     std::vector<TomlTable> out;
-    const toml::node* value = node_->ask(key);
+    const toml::node* value = node_->read(key);
     if (!value) return out;
     const toml::array* list = value->as_array();
     if (!list) {
@@ -95,8 +96,8 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
     }
     for (const toml::node& item : *list) {
         if (!item.is_table()) {
-            fail(key, fmt::format("'{}' must hold tables only, but item {} is none", key,
-                                  out.size() + 1));
+            fail(key, fmt::format("'{}' must contain only tables, but item {} is none",
+                                  key, out.size() + 1));
         }
         TomlTable table;
         table.node_ = std::make_shared<Node>();
@@ -116,14 +117,14 @@ bool TomlTable::has(std::string_view key) const {
 
 std::optional<double> TomlTable::number(std::string_view key, double low,
                                         double high) const {
-    const toml::node* value = node_->ask(key);
+    const toml::node* value = node_->read(key);
     if (!value) return std::nullopt;
     const auto number = value->value<double>();
     if (!value->is_number() || !number || !std::isfinite(*number)) {
         fail(key, fmt::format("'{}' must be a number", key));
     }
     if (*number < low || *number > high) {
-        fail(key, fmt::format("'{}' is {}, but must lie between {} and {}", key, *number,
+        fail(key, fmt::format("'{}' is {}, but must be between {} and {}", key, *number,
                               low, high));
     }
     return number;
@@ -131,35 +132,36 @@ std::optional<double> TomlTable::number(std::string_view key, double low,
 
 std::optional<std::int64_t> TomlTable::integer(std::string_view key, std::int64_t low,
                                                std::int64_t high) const {
-    const toml::node* value = node_->ask(key);
+    const toml::node* value = node_->read(key);
     if (!value) return std::nullopt;
     if (!value->is_integer()) fail(key, fmt::format("'{}' must be a whole number", key));
     const std::int64_t number = value->as_integer()->get();
     if (number < low || number > high) {
-        fail(key, fmt::format("'{}' is {}, but must lie between {} and {}", key, number,
+        fail(key, fmt::format("'{}' is {}, but must be between {} and {}", key, number,
                               low, high));
     }
     return number;
 }
 
 std::optional<std::uint64_t> TomlTable::seed(std::string_view key) const {
-    const toml::node* value = node_->ask(key);
-    if (value && parameter_seed(*value)) return parameter_seed(*value);
+    const toml::node* value = node_->read(key);
+    if (value && override_seed(*value)) return override_seed(*value);
     return integer(key, 0, std::numeric_limits<std::int64_t>::max());
 }
 
 std::optional<bool> TomlTable::boolean(std::string_view key) const {
-    const toml::node* value = node_->ask(key);
+    const toml::node* value = node_->read(key);
     if (!value) return std::nullopt;
-    if (const auto bit = parameter_bit(*value)) return bit;
+    if (const auto bit = override_bit(*value)) return bit;
     if (!value->is_boolean()) fail(key, fmt::format("'{}' must be true or false", key));
     return value->as_boolean()->get();
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key) const {
-    const toml::node* value = node_->ask(key);
+    const toml::node* value = node_->read(key);
     if (!value) return std::nullopt;
-    if (!value->is_string()) fail(key, fmt::format("'{}' must be a text in quotes", key));
+    if (!value->is_string())
+        fail(key, fmt::format("'{}' must be a string in quotes", key));
     return value->as_string()->get();
 }
 
@@ -171,7 +173,7 @@ std::optional<std::filesystem::path> TomlTable::path(std::string_view key) const
 
 namespace {
 
-/// The numbers of an array, nothing where `value` is not one of `size` <= 4 finite
+/// The numbers of an array; nullopt unless `value` is an array of `size` <= 4 finite
 /// numbers.
 std::optional<std::array<double, 4>> numbers_of(const toml::node& value,
                                                 std::size_t size) {
@@ -191,7 +193,7 @@ std::optional<std::array<double, 4>> numbers_of(const toml::node& value,
 }  // namespace
 
 std::optional<Vec3> TomlTable::vector(std::string_view key) const {
-    const toml::node* value = node_->ask(key);
+    const toml::node* value = node_->read(key);
     if (!value) return std::nullopt;
     const toml::array* array = value->as_array();
     if (!array || array->size() != 3)
@@ -202,7 +204,7 @@ std::optional<Vec3> TomlTable::vector(std::string_view key) const {
 }
 
 std::optional<Vec2> TomlTable::pair(std::string_view key) const {
-    const toml::node* value = node_->ask(key);
+    const toml::node* value = node_->read(key);
     if (!value) return std::nullopt;
     const auto numbers = numbers_of(*value, 2);
     if (!numbers) fail(key, fmt::format("'{}' must be [a, b], two numbers", key));
@@ -210,7 +212,7 @@ std::optional<Vec2> TomlTable::pair(std::string_view key) const {
 }
 
 std::optional<Eigen::Matrix4d> TomlTable::matrix(std::string_view key) const {
-    const toml::node* value = node_->ask(key);
+    const toml::node* value = node_->read(key);
     if (!value) return std::nullopt;
     const toml::array* rows = value->as_array();
     Eigen::Matrix4d out;
@@ -224,13 +226,13 @@ std::optional<Eigen::Matrix4d> TomlTable::matrix(std::string_view key) const {
 }
 
 std::optional<std::vector<Vec3>> TomlTable::vectors(std::string_view key,
-                                                    std::size_t fewest) const {
-    const toml::node* value = node_->ask(key);
+                                                    std::size_t min_size) const {
+    const toml::node* value = node_->read(key);
     if (!value) return std::nullopt;
     const toml::array* list = value->as_array();
-    if (!list || list->size() < fewest) {
+    if (!list || list->size() < min_size) {
         fail(key,
-             fmt::format("'{}' must be a list of {} or more [x, y, z]", key, fewest));
+             fmt::format("'{}' must be a list of {} or more [x, y, z]", key, min_size));
     }
     std::vector<Vec3> out;
     for (const toml::node& item : *list) {
@@ -248,10 +250,10 @@ std::optional<std::size_t> TomlTable::choice(
     std::string_view key, std::span<const std::string_view> names) const {
     const auto word = text(key);
     if (!word) return std::nullopt;
-    const auto at = std::ranges::find(names, *word);
-    if (at != names.end()) return std::size_t(at - names.begin());
+    const auto found = std::ranges::find(names, *word);
+    if (found != names.end()) return std::size_t(found - names.begin());
     const auto meant = nearest_name(*word, names);
-    fail(key, fmt::format("{} '{}' is not known{}; one of: {}", key, *word,
+    fail(key, fmt::format("unknown {} '{}'{}; one of: {}", key, *word,
                           meant ? fmt::format(", did you mean '{}'?", *meant) : "",
                           fmt::join(names, ", ")));
 }
@@ -260,15 +262,15 @@ void TomlTable::finish() const {
     if (!node_->table) return;
     for (const auto& [key, value] : *node_->table) {
         const std::string_view name = key.str();
-        if (std::ranges::find(node_->asked, name) != node_->asked.end()) continue;
-        const std::vector<std::string_view> known(node_->asked.begin(),
-                                                  node_->asked.end());
-        const auto meant = nearest_name(name, known);
+        if (std::ranges::find(node_->known, name) != node_->known.end()) continue;
+        const std::vector<std::string_view> names(node_->known.begin(),
+                                                  node_->known.end());
+        const auto meant = nearest_name(name, names);
         fail(name,
              fmt::format("unknown key '{}'{}{}{}", name,
                          node_->title.empty() ? "" : " in ", node_->title,
                          meant ? fmt::format(", did you mean '{}'?", *meant)
-                               : fmt::format("; known: {}", fmt::join(known, ", "))));
+                               : fmt::format("; known: {}", fmt::join(names, ", "))));
     }
     for (const auto& [key, child] : node_->children) child.finish();
     for (const auto& [key, list] : node_->lists) {

@@ -12,7 +12,7 @@ namespace lancret {
 
 namespace {
 
-/// The place behind the string that begins at `at`, a quotation mark.
+/// The position after the string that begins at `at`, a quotation mark.
 std::size_t behind_string(std::string_view text, std::size_t at) {
     const char quote = text[at];
     const std::string three(3, quote);
@@ -23,7 +23,7 @@ std::size_t behind_string(std::string_view text, std::size_t at) {
             ++at;
         } else if (text[at] == quote && (!lines || text.substr(at, 3) == three)) {
             if (!lines) return at + 1;
-            // Two more may stand before its end.
+            // The string itself may end with up to two more quotation marks.
             at += 3;
             for (int i = 0; i < 2 && at < text.size() && text[at] == quote; ++i) ++at;
             return at;
@@ -50,15 +50,15 @@ std::string toml_file_text(const std::filesystem::path& path) {
 }
 
 void check_toml_depth(std::string_view text, const std::string& name) {
-    const auto refuse = [&](std::size_t at, std::string_view what, int most) {
+    const auto refuse = [&](std::size_t at, std::string_view what, int limit) {
         const auto line = 1 + std::count(text.begin(), text.begin() + long(at), '\n');
         throw InputError(
-            fmt::format("{}:{}: {}, expected at most {}", name, line, what, most));
+            fmt::format("{}:{}: {}, expected at most {}", name, line, what, limit));
     };
     int dots = 0, brackets = 0;
     for (std::size_t at = 0; at < text.size();) {
         const char letter = text[at];
-        // No text: the parser says so, and reads no further.
+        // Not a text file: the parser reports it and stops here.
         const bool space = letter == '\t' || letter == '\n' || letter == '\r';
         if (letter >= 0 && letter < ' ' && !space) return;
         if (letter == '"' || letter == '\'') {
@@ -70,7 +70,7 @@ void check_toml_depth(std::string_view text, const std::string& name) {
             continue;
         }
         if (letter == '.' && ++dots > kMaxTomlDots) {
-            refuse(at, "a name has too many dots", kMaxTomlDots);
+            refuse(at, "a key has too many dots", kMaxTomlDots);
         }
         if (letter == '[' || letter == '{') {
             if (++brackets > kMaxTomlBrackets) {

@@ -1,5 +1,5 @@
 #pragma once
-// The text of a TOML, before it is read.
+// The text of a TOML file before it is parsed.
 
 #include <filesystem>
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace lancret {
 
-/// What is in a file. Throws InputError.
+/// The contents of a file. Throws InputError.
 std::string toml_file_text(const std::filesystem::path& path);
 
-/// Most dots in a name, and most brackets and braces one in another: the library's tables
-/// end by recursion, and it sets a limit to values alone.
+/// Maximum number of dots in a key, and of brackets and braces one inside another. The
+/// parser's tables are destroyed by recursion, and it limits only the depth of values.
 inline constexpr int kMaxTomlDots = 16, kMaxTomlBrackets = 16;
 
-/// Throws InputError "<name>:<line>: ..." where the text goes deeper.
+/// Throws InputError "<name>:<line>: ..." if the text exceeds them.
 void check_toml_depth(std::string_view text, const std::string& name);
 
 }  // namespace lancret

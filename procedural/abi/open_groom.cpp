@@ -6,6 +6,7 @@
 
 #include "guides/base/errors.h"
 #include "procedural/expand/intervals.h"
+#include "procedural/groom/head_pose.h"
 
 namespace lancret::abi {
 

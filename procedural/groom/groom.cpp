@@ -16,10 +16,11 @@ constexpr std::uint32_t kDefaultGuides = 500;
 constexpr std::uint32_t kDefaultChildren = 50000;
 constexpr std::int64_t kMaxStrands = 100'000'000;
 constexpr std::string_view kAxes[] = {"X", "Y", "Z"};
-constexpr std::string_view kBases[] = {"catmull-rom", "bspline"};
-constexpr std::string_view kCurveBases[] = {"bspline", "hermite"};
-constexpr std::string_view kMadeKinds[] = {"head", "lawn"};
-constexpr std::string_view kShapes[] = {"flat", "round", "ribbon"};
+constexpr Named<CurveBasis> kCurveBases[] = {{CurveBasis::bspline, "bspline"},
+                                             {CurveBasis::hermite, "hermite"}};
+constexpr Named<CurveShape> kCurveShapes[] = {{CurveShape::flat, "flat"},
+                                              {CurveShape::round, "round"},
+                                              {CurveShape::ribbon, "ribbon"}};
 
 void read_scene(const TomlTable& scene, SceneUnits& out) {
     if (const auto axis = scene.choice("up", kAxes)) {
@@ -31,7 +32,7 @@ void read_scene(const TomlTable& scene, SceneUnits& out) {
 }
 
 void read_made(const TomlTable& made, MadeGroomSettings& out) {
-    if (const auto kind = made.choice("kind", kMadeKinds)) out.kind = MadeKind(*kind);
+    assign_if(out.kind, made.choice("kind", kMadeKindNames));
     assign_if(out.strands, made.integer("strands", 1, 1'000'000));
     assign_if(out.seed, made.seed("seed"));
     assign_if(out.shortest, made.number("shortest", 0.1, 200));
@@ -56,9 +57,7 @@ void read_guides_table(const TomlTable& guides, GroomSettings& out) {
         guides.fail("made", "set either 'file' or [guides.made], not both");
     }
     read_made(guides.table("made"), out.made);
-    if (const auto basis = guides.choice("basis", kBases)) {
-        out.basis = *basis == 0 ? Basis::catmull_rom : Basis::bspline;
-    }
+    assign_if(out.basis, guides.choice("basis", kBasisNames));
     assign_if(out.guides.number, guides.integer("count", 1, kMaxStrands));
     assign_if(out.guides.share, guides.number("share", 0, 1));
     // An override of one replaces the other in the file.
@@ -93,12 +92,8 @@ void read_strands(const TomlTable& strands, GroomSettings& out) {
     assign_if(out.tolerance, strands.number("tolerance", 1e-4, 10));
     if (const auto n = strands.integer("intervals", 1, 1000)) out.intervals = int(*n);
     assign_if(out.adapt, strands.boolean("adapt"));
-    if (const auto basis = strands.choice("curve", kCurveBases)) {
-        out.expand.basis = *basis == 0 ? CurveBasis::bspline : CurveBasis::hermite;
-    }
-    if (const auto shape = strands.choice("shape", kShapes)) {
-        out.expand.shape = CurveShape(*shape);
-    }
+    assign_if(out.expand.basis, strands.choice("curve", kCurveBases));
+    assign_if(out.expand.shape, strands.choice("shape", kCurveShapes));
     if (out.expand.shape == CurveShape::ribbon &&
         out.expand.basis == CurveBasis::hermite) {
         strands.fail("shape", "shape 'ribbon' requires curve 'bspline'");

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "guides/motion/motion_settings.h"
 #include "procedural/groom/groom.h"
-#include "procedural/groom/motion_settings.h"
 
 namespace lancret {
 

@@ -1,24 +1,23 @@
 #include "render_test/settings/material.h"
 
-#include <array>
-
 #include "render_test/image/read_image.h"
 #include "render_test/settings/toml_values.h"
 
 namespace lancret {
 namespace {
 
-constexpr std::array<std::string_view, 3> kPresets = {"blond", "brown", "black"};
-constexpr std::array<float, 3> kPresetMelanin = {0.3f, 1.3f, 8.0f};
+/// Presets by their eumelanin.
+constexpr Named<float> kPresets[] = {{0.3f, "blond"}, {1.3f, "brown"}, {8.0f, "black"}};
 
-constexpr std::array<std::string_view, 2> kShadings = {"path", "groom"};
+/// Whether the shading is that of grooming tools.
+constexpr Named<bool> kShadings[] = {{false, "path"}, {true, "groom"}};
 
 }  // namespace
 
 void read_material(const TomlTable& material, HairMaterial& hair, MeshMaterial& mesh,
                    bool& groom_shading) {
     const auto preset = material.choice("preset", kPresets);
-    if (preset) hair.eumelanin = kPresetMelanin[*preset];
+    assign_if(hair.eumelanin, preset);
     const auto colour = colour_value(material, "colour", 1);
     if (preset && (colour || material.has("eumelanin"))) {
         material.fail("preset",
@@ -41,9 +40,7 @@ void read_material(const TomlTable& material, HairMaterial& hair, MeshMaterial& 
     if (const auto value = colour_value(material, "tip_colour", 1)) {
         hair.tip_colour = value;
     }
-    if (const auto shading = material.choice("shading", kShadings)) {
-        groom_shading = *shading == 1;
-    }
+    assign_if(groom_shading, material.choice("shading", kShadings));
     assign_if(mesh.colour, colour_value(material, "scalp_colour", 1));
     assign_if(mesh.coat_roughness, material.number("scalp_roughness", 0.05, 1));
     if (const auto file = material.path("scalp_texture")) {

@@ -24,9 +24,7 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
               render.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     assign_if(out.render.path.max_depth, render.integer("max_depth", 1, 10000));
     assign_if(out.regularisation, render.number("regularisation", 0, 1));
-    if (const auto lobes = render.choice("lobes", kLobeWidthNames)) {
-        out.render.path.lobes = LobeWidth(*lobes);
-    }
+    assign_if(out.render.path.lobes, render.choice("lobes", kLobeWidthNames));
     assign_if(out.background, colour_value(render, "background", 1e6));
     assign_if(out.least_width, render.number("min_width_pixels", 0, 10));
     out.shutter = render.pair("shutter");

@@ -2,10 +2,9 @@
 // Light along one path: next-event estimation and sampling of the material, combined by
 // multiple importance sampling [Veach 1997].
 
-#include <array>
-#include <string_view>
 #include <vector>
 
+#include "guides/base/named.h"
 #include "render_test/sampling/sampler.h"
 #include "render_test/trace/rays.h"
 #include "render_test/trace/render_scene.h"
@@ -31,9 +30,8 @@ enum class LobeWidth {
                 ///< in between, one of the two at random
 };
 
-/// In the order of LobeWidth.
-inline constexpr std::array<std::string_view, 3> kLobeWidthNames = {"near", "far",
-                                                                    "auto"};
+inline constexpr Named<LobeWidth> kLobeWidthNames[] = {
+    {LobeWidth::near, "near"}, {LobeWidth::far, "far"}, {LobeWidth::automatic, "auto"}};
 
 struct PathSettings {
     int max_depth = 64;             ///< scatterings along a path; pale hair needs many

@@ -1,6 +1,7 @@
 #pragma once
 // The material of a hair and the constants of a Super-Helix that follow from it.
 
+#include "guides/base/named.h"
 #include "guides/base/types.h"
 
 namespace lancret {
@@ -20,6 +21,8 @@ enum class Dissipation {
     viscoelastic,  ///< d_i = mu (EI)_i, mu in seconds [Bergbom07, Eq. 4.29]
     uniform,       ///< d_i = gamma, dyn cm^2 s [Bergbom07, Eq. 4.28]
 };
+inline constexpr Named<Dissipation> kDissipationNames[] = {
+    {Dissipation::viscoelastic, "viscoelastic"}, {Dissipation::uniform, "uniform"}};
 
 /// The constants of a rod per unit of its length.
 struct RodSection {

@@ -16,6 +16,7 @@
 #include <functional>
 #include <vector>
 
+#include "guides/base/named.h"
 #include "sim/rod/linear_solver.h"
 
 namespace lancret {
@@ -25,6 +26,10 @@ enum class Integrator {
     bdf2,            ///< second order, hardly damps what the step resolves
     semi_implicit,   ///< one linear solve; velocity terms explicit
 };
+inline constexpr Named<Integrator> kIntegratorNames[] = {
+    {Integrator::implicit_euler, "implicit-euler"},
+    {Integrator::bdf2, "bdf2"},
+    {Integrator::semi_implicit, "semi-implicit"}};
 
 /// The external forces on a rod, apart from contact.
 struct RodForces {

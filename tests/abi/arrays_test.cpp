@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "guides/files/hair_file.h"
+#include "guides/files/hair_file_write.h"
 #include "guides/made/made_groom.h"
 #include "tests/abi/plugin.h"
 

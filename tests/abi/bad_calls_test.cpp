@@ -157,7 +157,7 @@ TEST(PluginCalls, ParametersAreValidatedLikeTheFile) {
     };
     EXPECT_EQ(
         fault({"strands.count", nullptr, 0}),
-        "groom: parameter count: 'count' is 0, but must lie between 1 and 100000000");
+        "groom: parameter count: 'count' is 0, but must be between 1 and 100000000");
     EXPECT_NE(fault({"strands.number", nullptr, 5}).find("unknown key 'number'"),
               std::string::npos);
     EXPECT_NE(fault({"strands.count", nullptr, 1.5}).find("whole number"),

@@ -43,7 +43,7 @@ constexpr int kDeep = 200'000;
 
 TEST(PluginDepth, NamesAreRefusedBeforeParsing) {
     const std::string name = repeated("a.", kDeep) + "b";
-    const std::string dots = "groom:3: a name has too many dots, expected at most 16";
+    const std::string dots = "groom:3: a key has too many dots, expected at most 16";
     EXPECT_EQ(error_of("\n\n" + name + " = 1\n"), dots);
     EXPECT_EQ(error_of("\n\n[camera." + name + "]\n"), dots);
     EXPECT_EQ(error_of("\n\n[[camera." + name + "]]\n"), dots);
@@ -66,7 +66,7 @@ TEST(PluginDepth, NamesOfParametersAreRefused) {
     source.parameters = &parameter;
     source.parameter_count = 1;
     EXPECT_EQ(error_of(source), "groom: parameter '" + name.substr(0, 40) +
-                                    "': goes on with too many dots, expected at most 16");
+                                    "': has too many dots, expected at most 16");
 }
 
 TEST(PluginDepth, TheDeepestAllowedNamesAreRead) {

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "guides/files/guide_cache.h"
+#include "guides/files/guide_cache_write.h"
 #include "procedural/groom/groom_source.h"
+#include "procedural/groom/head_pose.h"
 #include "procedural/groom/ready_groom.h"
 #include "procedural/motion/moving_groom.h"
 #include "tests/abi/plugin.h"

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "procedural/curves/emitted_curve.h"
+#include "procedural/groom/head_pose.h"
 #include "tests/abi/moving_plugin.h"
 
 namespace lancret {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "guides/files/guide_cache.h"
+#include "guides/files/guide_cache_write.h"
 #include "tests/adapters/abi_groom.h"
 
 namespace lancret {

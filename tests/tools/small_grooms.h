@@ -5,6 +5,7 @@
 #include <string>
 
 #include "guides/files/hair_file.h"
+#include "guides/files/hair_file_write.h"
 #include "guides/files/obj_file.h"
 #include "guides/made/made_groom.h"
 #include "tests/guides/mesh/meshes.h"

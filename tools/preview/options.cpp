@@ -129,9 +129,7 @@ void set_override(const PreviewOptions& options, const ChosenFrames& chosen,
             "use --samples 2 or more");
     }
     if (options.regularisation) settings.regularisation = *options.regularisation;
-    if (const auto* name = std::ranges::find(kLobeWidthNames, options.lobes);
-        name != kLobeWidthNames.end())
-        render.path.lobes = LobeWidth(name - kLobeWidthNames.begin());
+    assign_if(render.path.lobes, value_named(kLobeWidthNames, options.lobes));
     if (options.motion_samples) settings.motion_samples = *options.motion_samples;
     if (options.shutter.empty()) return;
     settings.shutter = parse_shutter(options.shutter);
@@ -217,13 +215,13 @@ void add_light_options(CLI::App& command, PreviewOptions& options) {
                     "noise, brightens slightly; default 0.5, 0 for a reference")
         ->type_name("R")
         ->check(number_between(0, 1));
+    const auto lobes = names_of(kLobeWidthNames);
     command
         .add_option("--lobes", options.lobes,
                     "scattering across a strand: 'near' by the offset of each ray, 'far' "
                     "the mean over offsets, 'auto' the mean for strands thinner than a "
                     "pixel")
-        ->check(CLI::IsMember(
-            std::vector<std::string>(kLobeWidthNames.begin(), kLobeWidthNames.end())));
+        ->check(CLI::IsMember(std::vector<std::string>(lobes.begin(), lobes.end())));
 }
 
 void add_view_options(CLI::App& command, PreviewOptions& options) {

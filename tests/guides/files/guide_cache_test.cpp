@@ -1,4 +1,5 @@
 #include "guides/files/guide_cache.h"
+#include "guides/files/guide_cache_write.h"
 
 #include <gmock/gmock.h>
 #include <hdf5.h>

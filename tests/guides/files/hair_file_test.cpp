@@ -1,4 +1,5 @@
 #include "guides/files/hair_file.h"
+#include "guides/files/hair_file_write.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

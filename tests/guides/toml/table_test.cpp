@@ -53,7 +53,7 @@ TEST(TomlTable, RejectsOtherTypesAndRanges) {
     EXPECT_EQ(error_of([&] { t.integer("b", 0, 10); }),
               "g:2: 'b' must be a whole number");
     EXPECT_EQ(error_of([&] { t.integer("c", 0, 10); }),
-              "g:3: 'c' is 11, but must lie between 0 and 10");
+              "g:3: 'c' is 11, but must be between 0 and 10");
     EXPECT_EQ(error_of([&] { t.number("d"); }), "g:4: 'd' must be a number");
     EXPECT_EQ(error_of([&] { t.vector("e"); }), "g:5: 'e' must be [x, y, z]");
     EXPECT_EQ(error_of([&] { t.table("f"); }), "g:6: 'f' must be a table");
@@ -63,7 +63,7 @@ TEST(TomlTable, SuggestsTheNearestChoice) {
     const TomlTable t = TomlTable::from_text("blend = \"option\"\n", "g");
     const std::string_view names[] = {"option1", "position"};
     EXPECT_EQ(error_of([&] { t.choice("blend", names); }),
-              "g:1: blend 'option' is not known, did you mean 'option1'?; one of: "
+              "g:1: unknown blend 'option', did you mean 'option1'?; one of: "
               "option1, position");
 }
 
@@ -108,7 +108,7 @@ TEST(TomlTable, RejectsListsOfOtherThings) {
     EXPECT_EQ(error_of([&] { t.tables("a"); }),
               "g:1: 'a' must be a list of tables, [[a]]");
     EXPECT_EQ(error_of([&] { t.tables("b"); }),
-              "g:2: 'b' must hold tables only, but item 2 is none");
+              "g:2: 'b' must contain only tables, but item 2 is none");
     EXPECT_EQ(error_of([&] { t.tables("c"); }),
               "g:3: 'c' must be a list of tables, [[c]]");
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "guides/files/hair_file.h"
+#include "guides/files/hair_file_write.h"
 #include "guides/files/obj_file.h"
 #include "procedural/groom/ready_groom.h"
 #include "tests/guides/base/temporary_folder.h"

@@ -121,7 +121,7 @@ TEST(Groom, ErrorsNameTheLineAndTheNearestKey) {
     EXPECT_EQ(error_of("[widths]\nroot = 1\n"),
               "g.toml:1: unknown key 'widths', did you mean 'width'?");
     EXPECT_THAT(error_of("[strands]\nblend = \"option4\"\n"),
-                StartsWith("g.toml:2: blend 'option4' is not known, did you mean "));
+                StartsWith("g.toml:2: unknown blend 'option4', did you mean "));
     EXPECT_THAT(error_of("\n[scene]\nup = \"y\"\n"), StartsWith("g.toml:3: "));
 }
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "guides/files/guide_cache.h"
+#include "guides/files/guide_cache_write.h"
 #include "guides/files/hair_file.h"
+#include "guides/files/hair_file_write.h"
 #include "procedural/check/check.h"
 #include "tests/guides/base/temporary_folder.h"
 #include "tests/procedural/made_hair.h"

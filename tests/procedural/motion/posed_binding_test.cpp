@@ -5,7 +5,6 @@
 
 #include <cstring>
 
-#include "guides/base/errors.h"
 #include "procedural/groom/ready_groom.h"
 #include "tests/guides/base/temporary_folder.h"
 #include "tests/guides/mesh/meshes.h"
@@ -148,31 +147,6 @@ TEST(Pose, RootsAndNormalsFollowAStretchedMesh) {
         const Vec3 normal = scalp_normal(scalp, g.binding.roots.places[i]);
         EXPECT_LE((binding.roots.normals[i].cast<double>() - normal).norm(), 1e-6);
     }
-}
-
-TEST(Pose, CarriersFollowTheMesh) {
-    const ReadyGroom& g = small_groom();
-    const RestPlaces rest = rest_places(g.binding, g.placed);
-    const std::size_t count = rest.guide_places.size();
-    const TriangleMesh& mesh = g.placed.scalp->mesh;
-    const auto before = carriers(ScalpPose(mesh), rest.guide_places, count);
-    const auto after =
-        carriers(ScalpPose(posed_mesh(mesh, kMoved)), rest.guide_places, count);
-    for (std::size_t i = 0; i < count; ++i) {
-        // Corners are floats up to about 50 cm, 3e-6 each, on edges of about 1 cm.
-        EXPECT_LE((after[i].rotation - kMoved.rotation * before[i].rotation).norm(),
-                  1e-4);
-        EXPECT_LE((after[i].translation - kMoved * before[i].translation).norm(), 2e-5);
-        // The place itself, which is a guide's root.
-        EXPECT_LE((before[i].translation - rest.guide_roots[i]).norm(), 1e-5);
-        const Mat3 gram = after[i].rotation.transpose() * after[i].rotation;
-        EXPECT_LE((gram - Mat3::Identity()).norm(), 1e-14);
-    }
-    EXPECT_EQ(carriers(kMoved, {}, 3).size(), 3u);
-    EXPECT_THROW(carriers(ScalpPose(mesh), {}, 3), InputError);
-    TriangleMesh flat = mesh;
-    for (Vec3f& p : flat.positions) p = Vec3f::Zero();
-    EXPECT_THROW(carriers(ScalpPose(flat), rest.guide_places, count), InputError);
 }
 
 TEST(Pose, ARigidlyMovedMeshIsARigidPose) {

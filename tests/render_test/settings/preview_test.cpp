@@ -89,7 +89,7 @@ TEST(PreviewSettings, PresetsAreTheMelaninOfTheirName) {
     EXPECT_EQ(error_of("[material]\npreset = \"black\"\neumelanin = 1\n"),
               "g.toml:2: a 'preset' sets the melanin: remove 'eumelanin' and 'colour'");
     EXPECT_EQ(error_of("[material]\npreset = \"blonde\"\n"),
-              "g.toml:2: preset 'blonde' is not known, did you mean 'blond'?; one of: "
+              "g.toml:2: unknown preset 'blonde', did you mean 'blond'?; one of: "
               "blond, brown, black");
 }
 
@@ -190,7 +190,7 @@ TEST(PreviewSettings, LobesAreAutomaticByDefault) {
     EXPECT_EQ(lobes("[render]\nlobes = \"far\"\n"), LobeWidth::far);
     EXPECT_EQ(lobes("[render]\nlobes = \"auto\"\n"), LobeWidth::automatic);
     EXPECT_EQ(error_of("[render]\nlobes = \"wide\"\n"),
-              "g.toml:2: lobes 'wide' is not known; one of: near, far, auto");
+              "g.toml:2: unknown lobes 'wide'; one of: near, far, auto");
 }
 
 TEST(PreviewSettings, AShutterIsTwoFramesInOrder) {

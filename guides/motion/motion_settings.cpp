@@ -1,11 +1,8 @@
-#include "procedural/groom/motion_settings.h"
+#include "guides/motion/motion_settings.h"
 
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "guides/base/errors.h"
-#include "procedural/groom/placed_guides.h"
 
 namespace lancret {
 
@@ -76,16 +73,6 @@ ScalpMotion scalp_motion(const MotionSettings& settings, const TriangleMesh* res
     std::vector<PoseKey> keys = settings.keys;
     if (keys.empty()) keys.push_back({});
     return make_rigid_path(std::move(keys), settings.pivot, frames_per_second);
-}
-
-ScalpPoseAt head_pose(const MotionSettings& motion, const GroomSettings& groom) {
-    if (motion.keys.empty() && motion.files.pattern.empty()) return {};
-    std::optional<TriangleMesh> rest;
-    if (!motion.files.pattern.empty()) rest = read_scalp_mesh(groom);
-    constexpr double kFramesPerSecond = 24;  // poses have no use for speeds
-    const auto path = std::make_shared<const ScalpMotion>(
-        scalp_motion(motion, rest ? &*rest : nullptr, kFramesPerSecond));
-    return [path](double frame) { return scalp_pose(scalp_at(*path, frame)); };
 }
 
 }  // namespace lancret
