@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "guides/base/named.h"
 #include "guides/base/types.h"
 #include "procedural/curves/basis.h"
 #include "procedural/curves/buffer.h"
@@ -17,6 +18,9 @@ enum class CurveShape {
     round,   ///< swept circles: for close-ups
     ribbon,  ///< bands with a face of their own, B-splines only: for grass and feathers
 };
+inline constexpr Named<CurveShape> kCurveShapeNames[] = {{CurveShape::flat, "flat"},
+                                                         {CurveShape::round, "round"},
+                                                         {CurveShape::ribbon, "ribbon"}};
 
 /// Consecutive strands with the same number of segments.
 struct CurveClass {

@@ -16,11 +16,10 @@ constexpr std::uint32_t kDefaultGuides = 500;
 constexpr std::uint32_t kDefaultChildren = 50000;
 constexpr std::int64_t kMaxStrands = 100'000'000;
 constexpr std::string_view kAxes[] = {"X", "Y", "Z"};
-constexpr Named<CurveBasis> kCurveBases[] = {{CurveBasis::bspline, "bspline"},
-                                             {CurveBasis::hermite, "hermite"}};
-constexpr Named<CurveShape> kCurveShapes[] = {{CurveShape::flat, "flat"},
-                                              {CurveShape::round, "round"},
-                                              {CurveShape::ribbon, "ribbon"}};
+/// The bases that expansion emits.
+constexpr Named<CurveBasis> kCurveBases[] = {
+    {CurveBasis::bspline, layout_of(CurveBasis::bspline).name},
+    {CurveBasis::hermite, layout_of(CurveBasis::hermite).name}};
 
 void read_scene(const TomlTable& scene, SceneUnits& out) {
     if (const auto axis = scene.choice("up", kAxes)) {
@@ -93,7 +92,7 @@ void read_strands(const TomlTable& strands, GroomSettings& out) {
     if (const auto n = strands.integer("intervals", 1, 1000)) out.intervals = int(*n);
     assign_if(out.adapt, strands.boolean("adapt"));
     assign_if(out.expand.basis, strands.choice("curve", kCurveBases));
-    assign_if(out.expand.shape, strands.choice("shape", kCurveShapes));
+    assign_if(out.expand.shape, strands.choice("shape", kCurveShapeNames));
     if (out.expand.shape == CurveShape::ribbon &&
         out.expand.basis == CurveBasis::hermite) {
         strands.fail("shape", "shape 'ribbon' requires curve 'bspline'");
