@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "guides/files/guide_cache_restart.h"
+#include "guides/helix/guides.h"
 #include "sim/simulation_settings.h"
 
 namespace lancret {

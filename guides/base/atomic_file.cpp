@@ -28,7 +28,7 @@ std::string_view last_error() {
 
 PendingFile::PendingFile(fs::path target) : target_(std::move(target)) {
     std::error_code error;
-    if (target_.filename().empty()) fail(target_, "a file's name is expected");
+    if (target_.filename().empty()) fail(target_, "expected the name of a file");
     if (fs::is_symlink(target_, error)) {
         const fs::path behind = fs::weakly_canonical(target_, error);
         if (error) fail(target_, error.message());

@@ -6,11 +6,11 @@
 
 namespace lancret {
 
-/// The largest coordinate that a file may hold, cm. Far beyond any set, and so small that
-/// the fourth power of a distance still fits a float.
+/// The largest coordinate that a file may hold, cm: far larger than any set, and small
+/// enough that the fourth power of a distance fits a float.
 inline constexpr float kLargestCoordinate = 1e9f;
 
-/// Whether `p` is a place: all of it finite and within kLargestCoordinate.
+/// Whether `p` is finite and within kLargestCoordinate.
 inline bool is_place(const Vec3f& p) {
     // A NaN fails every comparison.
     return std::abs(p.x()) <= kLargestCoordinate &&

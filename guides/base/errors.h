@@ -6,8 +6,8 @@
 
 namespace lancret {
 
-/// A file or an option that cannot be used. The text is one line that names the file and
-/// the place in it: "groom.toml:12: unknown key 'widht', did you mean 'width'?".
+/// A file or an option that cannot be used. The message is one line with the file and the
+/// place in it: "groom.toml:12: unknown key 'widht', did you mean 'width'?".
 struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

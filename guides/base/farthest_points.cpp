@@ -18,10 +18,10 @@ std::vector<std::uint32_t> farthest_points(std::span<const Vec3> points,
     }
     if (count == 0) return chosen;
 
-    // The next point is the top of a heap of (distance, lower index first); a distance
-    // that has shrunk since it was pushed is out of date and passed over. After a choice
-    // at distance d, only points within d of it can have come nearer, and d shrinks as
-    // the choice goes on.
+    // The next point is the top of a heap of (distance, lower index first). An entry
+    // whose distance has shrunk since it was pushed is outdated and skipped. After a
+    // choice at distance d only points within d of it can come nearer, and d shrinks from
+    // choice to choice.
     struct Entry {
         double squared;
         std::uint32_t index;
@@ -51,8 +51,8 @@ std::vector<std::uint32_t> farthest_points(std::span<const Vec3> points,
                 shrink(i, (points[i] - points[next.index]).squaredNorm());
             }
         } else {
-            // The search is of points strictly within the radius; those at it do not
-            // shrink.
+            // The search finds points strictly within the radius; the distances of those
+            // on it do not shrink.
             tree.within(points[next.index], std::sqrt(next.squared), near);
             for (const auto& [i, distance] : near) shrink(i, distance);
         }
@@ -73,7 +73,7 @@ std::vector<double> neighbour_distances(std::span<const Vec3> points) {
         std::array<std::uint32_t, 2> index;
         std::array<double, 2> squared;
         tree.nearest(points[i], index, squared);
-        // Of two, one is the point itself or coincides with it.
+        // The first of the two is the point itself or coincides with it.
         out[i] = std::sqrt(squared[1]);
     }
     return out;

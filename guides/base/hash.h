@@ -16,8 +16,8 @@ constexpr std::uint64_t mix_bits(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// 64 random bits for a strand. `salt` tells apart the things that are drawn for it. Each
-/// of the three is added with the golden gamma g = 0x9e3779b97f4a7c15 and mixed:
+/// 64 random bits for a strand. `salt` separates the quantities that are drawn for it.
+/// Each of the three is added with the golden gamma g = 0x9e3779b97f4a7c15 and mixed:
 ///     mix(mix(mix(seed + g) + strand + g) + salt + g),   all modulo 2^64.
 /// Test vectors: (0, 0, 0) -> 238275bc38fcbe91, (1, 2, 3) -> 6ae515c1c0ac7e37.
 constexpr std::uint64_t hash_bits(std::uint64_t seed, std::uint64_t strand,

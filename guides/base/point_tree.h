@@ -1,5 +1,5 @@
 #pragma once
-// Nearest neighbours among points, by nanoflann: the only file that knows it.
+// Nearest neighbours among points. The only file that includes nanoflann.
 
 #include <limits>
 #include <nanoflann.hpp>
@@ -10,27 +10,29 @@
 
 namespace lancret {
 
-/// A k-d tree over points (cm) that somebody else owns. Const calls are safe from many
+/// A k-d tree over points (cm), which must outlive it. Const calls may come from several
 /// threads.
 class PointTree {
   public:
     explicit PointTree(std::span<const Vec3> points) : cloud_{points}, tree_(3, cloud_) {}
     PointTree(const PointTree&) = delete;
 
-    /// Fills `indices` and `squared` (cm^2), nearest first; returns how many there are.
+    /// Fills `indices` and `squared` (distances, cm^2), nearest first; returns the number
+    /// found.
     std::size_t nearest(const Vec3& place, std::span<std::uint32_t> indices,
                         std::span<double> squared) const {
         return tree_.knnSearch(place.data(), indices.size(), indices.data(),
                                squared.data());
     }
-    /// The squared distance to the nearest point, cm^2; infinity where there are none.
+    /// The squared distance to the nearest point, cm^2; infinity without points.
     double nearest_squared(const Vec3& place) const {
         std::uint32_t index;
         double squared = std::numeric_limits<double>::infinity();
         nearest(place, {&index, 1}, {&squared, 1});
         return squared;
     }
-    /// Points nearer than `radius`: (index, squared distance), unsorted, into `found`.
+    /// Fills `found` with the points nearer than `radius`: (index, squared distance), not
+    /// sorted.
     void within(const Vec3& place, double radius,
                 std::vector<std::pair<std::uint32_t, double>>& found) const {
         found.clear();

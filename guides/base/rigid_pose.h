@@ -10,12 +10,12 @@ struct RigidPose {
     Vec3 translation = Vec3::Zero();   ///< cm
 };
 
-/// Where the pose takes x.
+/// The image of x.
 inline Vec3 operator*(const RigidPose& pose, const Vec3& x) {
     return pose.rotation * x + pose.translation;
 }
 
-/// What the pose takes to x.
+/// The point whose image is x.
 inline Vec3 inverse_image(const RigidPose& pose, const Vec3& x) {
     return pose.rotation.transpose() * (x - pose.translation);
 }

@@ -4,9 +4,9 @@
 
 namespace lancret {
 
-/// Tells wall time since it was made, or since it was last read.
 class Stopwatch {
   public:
+    /// Wall time since construction or the last call, s.
     double lap() {
         const auto now = std::chrono::steady_clock::now();
         const double seconds = std::chrono::duration<double>(now - start_).count();

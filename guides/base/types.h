@@ -1,8 +1,9 @@
 #pragma once
 // The vector types and the units of the whole project.
 //
-// Units, everywhere and said once: centimetre, gram, second, radian. Curvatures are 1/cm.
-// Right-handed axes. A frame is a matrix whose columns are n0 (the tangent), n1, n2.
+// Units, everywhere unless stated otherwise: centimetre, gram, second, radian. Curvatures
+// are in 1/cm. Axes are right-handed. A frame is a matrix whose columns are n0 (the
+// tangent), n1 and n2.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -25,8 +26,7 @@ using Vec2f = Eigen::Vector2f;
 using Vec3f = Vec3T<float>;
 using Mat3f = Mat3T<float>;
 
-/// Four floats side by side with 16-byte alignment, as Embree reads them: position,
-/// radius.
+/// Position and radius, aligned to 16 bytes as Embree requires.
 struct alignas(16) Point4f {
     float x, y, z, w;
 

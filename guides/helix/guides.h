@@ -1,5 +1,5 @@
 #pragma once
-// Guides: the simulated strands, each a root frame and a row of helices.
+// Guides: the strands that are simulated, each a root frame and a chain of helices.
 
 #include <span>
 #include <vector>
@@ -8,11 +8,10 @@
 
 namespace lancret {
 
-/// Any number of Super-Helices of the same number of segments [Bergbom07, Sec. 4.1]. A
-/// guide's segments are neighbours in memory: guide g owns [g * segments, (g + 1) *
-/// segments).
+/// Super-Helices with the same number of segments [Bergbom07, Sec. 4.1]. The segments of
+/// guide g are [g * segments, (g + 1) * segments).
 struct Guides {
-    int segments = 0;                     ///< of each guide
+    int segments = 0;                     ///< per guide
     std::vector<Vec3> root_positions;     ///< [size], cm
     std::vector<Mat3> root_frames;        ///< [size], columns n0 (tangent), n1, n2
     std::vector<double> segment_lengths;  ///< [size * segments], cm, > 0

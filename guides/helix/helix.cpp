@@ -21,7 +21,7 @@ KernelSlope kernel_slope(double x) {
 }
 
 HelixStepDerivative helix_step_derivative(const Vec3& u, double ds) {
-    // The step depends on w = u ds alone, but for a factor ds of the displacement:
+    // Apart from a factor ds of the displacement the step depends only on w = u ds:
     // p(w) = e0 + c2 hat(w) e0 + c3 hat(w)^2 e0, and d/du = ds d/dw.
     const Vec3 w = u * ds, e0 = Vec3::UnitX();
     const double x = w.squaredNorm();

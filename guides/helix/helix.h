@@ -1,14 +1,13 @@
 #pragma once
-// One exact step along a helix: the only way in which anything in Lancret moves along a
-// strand.
+// One exact step along a helix. Everything in Lancret that moves along a strand uses it.
 //
 // The state of a strand at arc length s is a frame R = [n0 n1 n2] and a position r with
 //     R' = R hat(u),   r' = R e0,
 // where u = (k0, k1, k2) is the Darboux vector in that frame: twist, then two bending
 // curvatures, 1/cm. Three framings share it: Cosserat u = (k0, k1, k2) [Bergbom07,
 // Sec. 4.1], Frenet-Serret u = (tau, 0, kappa) [TW99, Sec. 2] and Bishop u = (0, k1, k2).
-// For constant u the solution is closed and has no division by a curvature; it stands in
-// for [TW99, Eq. 26-37, corrected] and [Bergbom07, Eq. 4.13-4.22, corrected].
+// For constant u the solution is closed and does not divide by a curvature; it replaces
+// [TW99, Eq. 26-37, corrected] and [Bergbom07, Eq. 4.13-4.22, corrected].
 
 #include <array>
 #include <cmath>
@@ -32,7 +31,7 @@ struct StepKernel {
     T c1, c2, c3;
 };
 
-/// 1 / (k (k + 1)): the ratio of two terms of the series.
+/// 1 / (k (k + 1)): the ratio of consecutive terms of the series.
 template <class T>
 inline constexpr auto kOverPair = [] {
     std::array<T, 21> out{};
@@ -67,7 +66,7 @@ struct KernelSlope {
 /// The kernel's slope at x = t^2 >= 0, smooth at zero.
 KernelSlope kernel_slope(double x);
 
-/// What one step does, told in the frame at its start.
+/// The effect of one step, expressed in the frame at its start.
 template <class T>
 struct HelixStep {
     Mat3T<T> rotation;      ///< E with R(s + ds) = R(s) E
@@ -90,7 +89,7 @@ HelixStep<T> helix_step(const Vec3T<T>& u, T ds) {
     return step;
 }
 
-/// A place on a strand.
+/// The frame and the position at a place on a strand.
 template <class T>
 struct HelixState {
     Mat3T<T> frame = Mat3T<T>::Identity();  ///< [n0 n1 n2], orthonormal
@@ -105,9 +104,8 @@ void advance(HelixState<T>& state, const Vec3T<T>& u, T ds) {
     state.frame = (state.frame * step.rotation).eval();
 }
 
-/// Takes round-off out of a frame that is orthonormal but for it: one Newton step towards
-/// the nearest rotation, R (3 - R^T R) / 2. An error e of R^T R = I becomes one of order
-/// e^2.
+/// Removes round-off from a nearly orthonormal frame by one Newton step towards the
+/// nearest rotation, R (3 - R^T R) / 2. An error e of R^T R = I becomes one of order e^2.
 template <class T>
 void orthonormalize(Mat3T<T>& frame) {
     const Mat3T<T> gram = frame.transpose() * frame;
@@ -125,16 +123,16 @@ Vec3T<T> rotation_log(const Mat3T<T>& rotation) {
     return q.vec() * (2 * std::atan2(sine, q.w()) / sine);
 }
 
-/// Where the helix of length `ds` (cm) goes that begins with the frame `from`, ends with
-/// `to`, and turns by less than half a turn: in `from`, cm.
+/// The displacement, cm, in `from`, of the helix of length `ds` (cm) that begins with the
+/// frame `from`, ends with `to`, and turns by less than half a turn.
 template <class T>
 Vec3T<T> displacement_between(const Mat3T<T>& from, const Mat3T<T>& to, T ds) {
     const Mat3T<T> turn = from.transpose() * to;
     return helix_step<T>(rotation_log<T>(turn) / ds, ds).displacement;
 }
 
-/// How a step answers to its Darboux vector: the derivative of helix_step with respect to
-/// (k0, k1, k2), all in the frame at the start of the step.
+/// The derivative of helix_step with respect to the Darboux vector (k0, k1, k2),
+/// expressed in the frame at the start of the step.
 struct HelixStepDerivative {
     /// V: a change dk turns the end frame by the rotation vector V dk, cm. Column i is
     /// d(phi)/d(k_i).
@@ -147,8 +145,8 @@ struct HelixStepDerivative {
 /// |u| = 0.
 HelixStepDerivative helix_step_derivative(const Vec3& u, double ds);
 
-/// The smallest rotation that takes the unit vector `from` to the unit vector `to`. Where
-/// they are opposed, half a turn about an axis across `from`.
+/// The smallest rotation that takes the unit vector `from` to the unit vector `to`; half
+/// a turn about an axis across `from` if they are opposite.
 template <class T>
 Mat3T<T> smallest_rotation(const Vec3T<T>& from, const Vec3T<T>& to) {
     const Vec3T<T> axis = from.cross(to);

@@ -13,8 +13,8 @@ void extend(Eigen::AlignedBox3d& box, const HelixState<double>& from, const Vec3
     };
     const Vec3 end = place(ds);
     box.extend(from.position).extend(end);
-    // A curve strays from the chord between its ends, walked evenly, by at most
-    // max |r''| ds^2 / 8: where that is inside already, there is nothing to look for.
+    // A curve deviates from the chord between its ends, at equal shares of the length, by
+    // at most max |r''| ds^2 / 8. If the box contains that much, it contains the helix.
     const double rate = u.norm(), stray = std::hypot(u.y(), u.z()) * ds * ds / 8;
     if (!(rate * ds > 1e-12)) return;
     const Vec3 axis = u / rate, round = axis.cross(Vec3::UnitX());
@@ -32,7 +32,7 @@ void extend(Eigen::AlignedBox3d& box, const HelixState<double>& from, const Vec3
         constexpr double kTurn = 2 * kPi;
         for (const double zero : {phase - half, phase + half}) {
             double angle = zero - kTurn * std::floor(zero / kTurn);
-            // Of the turns, the first and the last hold the extremes: a helix gets on.
+            // A helix advances steadily: the first and the last turn hold the extremes.
             const double last = angle + kTurn * std::floor((rate * ds - angle) / kTurn);
             if (!(angle <= rate * ds)) continue;
             box.extend(place(angle / rate)).extend(place(last / rate));

@@ -14,8 +14,8 @@ void positions_with_jacobian(const SuperHelix& helix, std::span<const double> s,
     positions.resize(3 * s.size());
     jacobian.setZero(3 * s.size(), 3 * segments);
 
-    // A change dk of a passed segment turns all that follows by A dk and moves it by B
-    // dk, as a rigid body turned about the origin: dr = A dk x r + B dk.
+    // A change dk of a passed segment turns the rest of the strand by A dk and moves it
+    // by B dk, as a rigid body turned about the origin: dr = A dk x r + B dk.
     std::vector<Mat3> turn(segments), shift(segments);
     HelixState<double> joint = helix.root;
     double start = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// Exact reconstruction of a Super-Helix at any arc length, and how it answers to its
-// curvatures.
+// Exact reconstruction of a Super-Helix at any arc length, and its derivatives with
+// respect to its curvatures.
 
 #include <span>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace lancret {
 
-/// One Super-Helix: a root and rows of segments that somebody else owns.
+/// One Super-Helix: a root and views of its segments.
 struct SuperHelix {
     HelixState<double> root;
     std::span<const double> lengths;   ///< [segments], cm
@@ -20,9 +20,9 @@ inline SuperHelix super_helix(const Guides& guides, std::size_t g) {
     return {guides.root(g), guides.lengths_of(g), guides.curvatures_of(g)};
 }
 
-/// Calls visit(i, segment, state) with the exact state at each arc length s[i]. `s`
-/// ascends; below 0 and beyond the length the first and last helix are carried on. A
-/// place on a joint belongs to the segment that it ends.
+/// Calls visit(i, segment, state) with the exact state at each arc length s[i], cm. `s`
+/// ascends. Below 0 and beyond the length the first and last helix are extended. A joint
+/// belongs to the segment that ends there.
 template <class Visit>
 void sample(const SuperHelix& helix, std::span<const double> s, Visit&& visit) {
     HelixState<double> joint = helix.root;
@@ -46,8 +46,8 @@ HelixState<double> state_at(const SuperHelix& helix, double s);
 /// Positions at the arc lengths `s` with their derivatives: row block i, [3 x 3
 /// segments], of `jacobian` is d(position i)/d(curvatures), columns in the order k0, k1,
 /// k2 of segment 0, then of segment 1 and so on [Bergbom07, Sec. 4.3, generalised from
-/// one point to many]. `positions` has 3 rows a sample. Both are resized when they do not
-/// fit, and so can be used again.
+/// one point to many]. `positions` has 3 rows per sample. Both are resized if needed, so
+/// they can be reused.
 void positions_with_jacobian(const SuperHelix& helix, std::span<const double> s,
                              Eigen::VectorXd& positions, Eigen::MatrixXd& jacobian);
 

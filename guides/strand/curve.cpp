@@ -32,7 +32,7 @@ double halved_length(const std::array<Vec3, 4>& c, double a, double b, double wh
                      double tolerance, int depth) {
     const double middle = (a + b) / 2;
     const double left = gauss_length(c, a, middle), right = gauss_length(c, middle, b);
-    // Asked the other way round, so that a length that is no number ends it too.
+    // Written so that a length that is NaN ends the recursion.
     const bool halve = depth > 0 && std::abs(left + right - whole) > tolerance;
     if (!halve) return left + right;
     return halved_length(c, a, middle, left, tolerance / 2, depth - 1) +
@@ -45,7 +45,7 @@ double piece_length(const std::array<Vec3, 4>& c, double a, double b) {
                          kDeepestHalving);
 }
 
-/// Fills `arc`; nothing where the curve has no length.
+/// The curve with `arc` filled; nullopt if its length is zero or not finite.
 std::optional<Curve> with_arc(Curve curve) {
     curve.arc.assign(1, 0.0);
     for (std::size_t k = 0; k < curve.pieces.size(); ++k)
@@ -68,7 +68,7 @@ std::vector<Vec3> to_double(std::span<const Vec3f> points) {
     return out;
 }
 
-/// The points without those that repeat the one before.
+/// The points without those that coincide with their predecessor.
 std::vector<Vec3> distinct_points(std::span<const Vec3> points) {
     double chords = 0;
     for (std::size_t i = 1; i < points.size(); ++i)
@@ -88,15 +88,15 @@ struct Row {
 };
 
 /// The row of the first slope (not-a-knot), from the first chord h0 and the next, h1,
-/// with the mean slopes m0 and m1 over them. The last one is the same, seen from the tip.
+/// with the mean slopes m0 and m1 over them. The last row is the same, from the tip.
 Row end_row(double h0, double h1, const Vec3& m0, const Vec3& m1) {
     const double both = h0 + h1;
     return {0, h1, both, ((h0 + 2 * both) * h1 * m0 + h0 * h0 * m1) / both};
 }
 
-/// The slopes at the points of a cubic spline, three points or more, by elimination. No
-/// pivoting is needed: below the first row each diagonal stays above its neighbour to the
-/// right, and the last one positive.
+/// The slopes at the points of a cubic spline through at least three points, by
+/// elimination. It needs no pivoting: below the first row each diagonal stays larger than
+/// its neighbour to the right, and the last one positive.
 std::vector<Vec3> spline_slopes(const std::vector<double>& h,
                                 const std::vector<Vec3>& m) {
     const std::size_t n = h.size();
@@ -137,7 +137,7 @@ std::optional<Curve> curve_through(std::span<const Vec3> points) {
         curve.knots.push_back(curve.knots.back() + h[k]);
     }
     std::vector<Vec3> d(n + 1, m[0]);
-    if (n == 2) {  // not-a-knot at both ends says one thing twice: take the parabola
+    if (n == 2) {  // not-a-knot at both ends is one condition twice: take the parabola
         const Vec3 second = (m[1] - m[0]) / (h[0] + h[1]);
         d = {m[0] - h[0] * second, m[0] + h[0] * second, m[1] + h[1] * second};
     } else if (n > 2) {
@@ -225,7 +225,7 @@ Vec3 unit_tangent(const Curve& curve, double t) {
 }
 
 SampledCurve resample(const Curve& curve, int n) {
-    if (n < 1) throw std::invalid_argument("resample: needs one interval or more");
+    if (n < 1) throw std::invalid_argument("resample: expected at least one interval");
     SampledCurve out;
     out.length = curve.length();
     for (int i = 0; i <= n; ++i) {

@@ -23,7 +23,7 @@ struct Curve {
     double length() const { return arc.back(); }
 };
 
-/// A place on a curve, with its derivatives in the curve's own parameter.
+/// A point of a curve and the derivatives with respect to the curve's parameter.
 struct CurvePoint {
     Vec3 position;    ///< cm
     Vec3 d1, d2, d3;  ///< first to third derivative; d3 jumps at knots
@@ -31,40 +31,42 @@ struct CurvePoint {
 
 /// The cubic spline through `points` (cm), parametrised by chord length. Ends are
 /// not-a-knot: the error is of order 4 up to the ends, where natural ends have order 2
-/// (on jagged points they overshoot about twice as far). Points nearer to the one before
-/// than 1e-7 of the strand's chord length (round-off of float) are left out, the last one
-/// never. Two points give a straight line, three a parabola. Nothing where all points
-/// coincide, there are fewer than two, one is not finite, or the length overflows. Linear
-/// in time.
+/// (on jagged points they overshoot about twice as far). A point nearer to its
+/// predecessor than 1e-7 of the strand's chord length (round-off of float) is left out,
+/// except for the last one. Two points give a straight line, three a parabola. nullopt if
+/// all points coincide, there are fewer than two, one is not finite, or the length
+/// overflows. Takes linear time.
 std::optional<Curve> curve_through(std::span<const Vec3> points);
 std::optional<Curve> curve_through(std::span<const Vec3f> points);
 
-/// The uniform cubic B-spline of control points p0, p1, ... (cm), one unit of the
-/// parameter a piece. Ends are plain: it starts at (p0 + 4 p1 + p2) / 6 and stops
-/// likewise, short of the outer control points. Nothing with fewer than four points,
-/// where all coincide, or where one is not finite.
+/// The uniform cubic B-spline of control points p0, p1, ... (cm), with one unit of the
+/// parameter per piece. It starts at (p0 + 4 p1 + p2) / 6 and ends likewise, short of the
+/// outer control points. nullopt if there are fewer than four points, all coincide, or
+/// one is not finite.
 std::optional<Curve> bspline_curve(std::span<const Vec3> control_points);
 std::optional<Curve> bspline_curve(std::span<const Vec3f> control_points);
 
-/// The curve of strand i, as the strands' basis says.
+/// The curve of strand i in the basis of `strands`; nullopt as above.
 std::optional<Curve> strand_curve(const Strands& strands, std::size_t i);
 
-/// The curve at parameter `t`; the outer pieces go on past the ends.
+/// The curve at parameter `t`; beyond the ends the outer pieces are extended.
 CurvePoint evaluate(const Curve& curve, double t);
 
 /// The arc length from the start to parameter `t`, clamped to the ends, cm. By 3-point
-/// Gauss quadrature, halved until halving changes a piece by less than 1e-10 of its size
-/// (the error left is about 1/64 of the change) [TW99, Eq. 38 and 42, corrected].
+/// Gauss quadrature, halved until halving changes a piece by less than 1e-10 of its
+/// length (the remaining error is about 1/64 of the change) [TW99, Eq. 38 and 42,
+/// corrected].
 double arc_length(const Curve& curve, double t);
 
-/// The parameter at arc length `s` (cm, clamped to the ends): Newton's steps kept in a
-/// bracket, to 1e-13 of the length.
+/// The parameter at arc length `s` (cm, clamped to the ends), to 1e-13 of the length, by
+/// Newton steps within a bracket.
 double parameter_at(const Curve& curve, double s);
 
-/// The unit tangent at parameter `t`; that of the piece's chord where the speed vanishes.
+/// The unit tangent at parameter `t`; the direction of the piece's chord if the speed is
+/// zero there.
 Vec3 unit_tangent(const Curve& curve, double t);
 
-/// A curve at places equally spaced in arc length.
+/// Samples of a curve at equal steps of arc length.
 struct SampledCurve {
     double length = 0;               ///< cm
     std::vector<double> parameters;  ///< [n + 1]

@@ -8,14 +8,14 @@ namespace lancret {
 
 namespace {
 
-/// `v` mirrored in the plane across `axis`, which is not zero.
+/// `v` reflected in the plane normal to `axis`, which is not zero.
 Vec3 mirrored(const Vec3& v, const Vec3& axis) {
     return v - 2 * axis.dot(v) / axis.squaredNorm() * axis;
 }
 
-/// The normal carried over a step. Two mirrors make a rotation, and this one differs from
-/// the rotation-minimising one by the fifth power of the step. Where the step has no
-/// chord or turns right about, a mirror is not defined: the smallest rotation then.
+/// The normal carried over a step by two reflections, which make a rotation that differs
+/// from the rotation-minimising one by the fifth power of the step. If the step has no
+/// chord or reverses direction, a reflection is undefined: the smallest rotation is used.
 Vec3 carried_normal(const Vec3& normal, const Vec3& tangent, const Vec3& chord,
                     const Vec3& next_tangent) {
     if (chord.squaredNorm() > 0 && tangent.dot(next_tangent) > -0.5) {
@@ -34,7 +34,7 @@ Vec3 across_tangent(const Vec3& normal, const Vec3& tangent) {
     if (size > 0) {
         const Vec3 unit = normal / size;
         const Vec3 across = unit - tangent * tangent.dot(unit);
-        // Once more takes out the round-off of a normal almost along the tangent.
+        // Repeated to remove the round-off of a normal almost along the tangent.
         if (across.norm() > 1e-7)
             return (across - tangent * tangent.dot(across)).normalized();
     }

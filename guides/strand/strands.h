@@ -1,6 +1,5 @@
 #pragma once
-// Strands as files give them: points along each hair, with what the file says of each
-// point.
+// Strands as files store them: points along each hair, with their attributes.
 
 #include <cstdint>
 #include <span>
@@ -11,7 +10,7 @@
 
 namespace lancret {
 
-/// What the points of a strand are to its curve.
+/// How a strand's points define its curve.
 enum class Basis {
     catmull_rom,  ///< the curve passes through them
     bspline,      ///< control points of a uniform cubic B-spline
@@ -19,8 +18,7 @@ enum class Basis {
 inline constexpr Named<Basis> kBasisNames[] = {{Basis::catmull_rom, "catmull-rom"},
                                                {Basis::bspline, "bspline"}};
 
-/// Any number of strands in flat arrays. An attribute array is empty where the file has
-/// none.
+/// Strands in flat arrays. An attribute array is empty if the file lacks it.
 struct Strands {
     std::vector<std::uint32_t> first{
         0};                     ///< [size + 1] first point of each strand, then the end
@@ -29,9 +27,9 @@ struct Strands {
     std::vector<float> transparency;       ///< [points] or empty; 0 is opaque
     std::vector<Vec3f> colours;            ///< [points] or empty; linear RGB
     std::vector<Vec2f> uvs;                ///< [points] or empty
-    float default_thickness = 0;           ///< diameter, cm, where `thickness` is empty
-    float default_transparency = 0;        ///< where `transparency` is empty
-    Vec3f default_colour = Vec3f::Zero();  ///< where `colours` is empty
+    float default_thickness = 0;           ///< diameter, cm, if `thickness` is empty
+    float default_transparency = 0;        ///< if `transparency` is empty
+    Vec3f default_colour = Vec3f::Zero();  ///< if `colours` is empty
     Basis basis = Basis::catmull_rom;
 
     std::size_t size() const { return first.size() - 1; }
