@@ -50,7 +50,6 @@ void print_report(const GroomCheck& check, const ReadyGroom& ready, bool cached)
     if (ready.classes.size() > 1) {
         fmt::print(
             "adapted points: {} classes of {} to {} intervals; at most {:.3g} cm from "
-            "the "
             "strands of {} intervals, {} of {} strands beyond the tolerance\n",
             ready.classes.size(), ready.classes.counts.front(),
             ready.classes.counts.back(), check.adapted.farthest, ready.profiles.count,

@@ -1,13 +1,13 @@
-// Expansion of the made groom, against what this machine can write.
+// Expansion of the made groom, compared with the memory bandwidth of the machine.
 //
-// Arguments: children, intervals a strand (0: as many as a groom takes by itself),
-// threads. A strand of 14 intervals has 17 control points. `fill_share` is bytes written
-// over the bandwidth of a memory fill on as many threads in the same run. `into_*`
-// writes to the same buffers in each pass, as from frame to frame and as the fill does;
-// `anew_*` allocates them in each pass, so its time has the page faults in it.
-// `scalar_*` are the blends that kernels are compared with. `cpu_share` is the share by
-// the CPU time of both, spread evenly over the threads: where other programs have their
-// part of the machine, only it compares.
+// Arguments: children, intervals per strand (0: the number that a groom chooses by
+// itself), threads. A strand of 14 intervals has 17 control points. `fill_share` is the
+// rate of bytes written over the bandwidth of a memory fill on the same number of threads
+// in the same run. `into_*` writes to the same buffers in each pass, like the fill and
+// like successive frames. `anew_*` allocates them in each pass and so includes page
+// faults. `scalar_*` uses the scalar blends instead of kernels. `cpu_share` is the same
+// ratio by CPU time, spread evenly over the threads; use it if other programs are
+// running.
 
 #include <benchmark/benchmark.h>
 
@@ -23,19 +23,19 @@ namespace {
 
 double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-struct Way {
+struct Variant {
     Blend blend;
-    bool kernels = true, anew = false;
+    bool kernels = true, reallocate = false;
 };
 
-void expand_made(benchmark::State& run, Way way) {
+void expand_made(benchmark::State& run, Variant variant) {
     const std::uint32_t children = std::uint32_t(run.range(0));
     const int threads = int(run.range(2));
     const double fill = bench::fill_bandwidth(threads);
     const int intervals = run.range(1) > 0 ? int(run.range(1)) : bench::made_intervals();
     const auto profiles = guide_profiles<float>(bench::made_guides().guides, intervals);
     const Binding& binding = bench::made_binding(children);
-    const ExpandSettings settings{.blend = way.blend};
+    const ExpandSettings settings{.blend = variant.blend};
     Curves curves = expand(binding, profiles, settings);
     const std::size_t points = curves.points.size(), bytes = curves.bytes();
     Stopwatch watch;
@@ -44,10 +44,11 @@ void expand_made(benchmark::State& run, Way way) {
         watch.lap();
         cpu = cpu_seconds();
         for (auto _ : run) {
-            if (way.anew) curves = {};
+            if (variant.reallocate) curves = {};
             const KernelGuides guides =
-                way.kernels ? kernel_guides(profiles, binding.guide_normals, way.blend)
-                            : KernelGuides();
+                variant.kernels
+                    ? kernel_guides(profiles, binding.guide_normals, variant.blend)
+                    : KernelGuides();
             expand(binding, profiles, guides, settings, curves);
             benchmark::DoNotOptimize(curves.points.data());
         }
@@ -64,7 +65,7 @@ void expand_made(benchmark::State& run, Way way) {
     run.counters["fill_share"] = runs * double(bytes) / seconds / fill;
     run.counters["cpu_share"] =
         runs * double(bytes) / (cpu / threads) / bench::fill_bandwidths(threads).by_cpu;
-    run.counters["cpu_ns_a_point"] = 1e9 * cpu / (runs * double(points));
+    run.counters["cpu_ns_per_point"] = 1e9 * cpu / (runs * double(points));
 }
 
 void sizes(benchmark::internal::Benchmark* bench) {
@@ -74,7 +75,7 @@ void sizes(benchmark::internal::Benchmark* bench) {
         ->UseRealTime();
 }
 #define LANCRET_EXPAND(name, ...) \
-    BENCHMARK_CAPTURE(expand_made, name, Way{__VA_ARGS__})->Apply(sizes)
+    BENCHMARK_CAPTURE(expand_made, name, Variant{__VA_ARGS__})->Apply(sizes)
 LANCRET_EXPAND(into_position, Blend::position);
 LANCRET_EXPAND(into_detail, Blend::detail);
 LANCRET_EXPAND(into_option1, Blend::option1);
@@ -88,7 +89,7 @@ void scalar_sizes(benchmark::internal::Benchmark* bench) {
         ->UseRealTime();
 }
 #define LANCRET_EXPAND_SCALAR(name, ...) \
-    BENCHMARK_CAPTURE(expand_made, name, Way{__VA_ARGS__})->Apply(scalar_sizes)
+    BENCHMARK_CAPTURE(expand_made, name, Variant{__VA_ARGS__})->Apply(scalar_sizes)
 LANCRET_EXPAND_SCALAR(scalar_position, Blend::position, false);
 LANCRET_EXPAND_SCALAR(scalar_detail, Blend::detail, false);
 LANCRET_EXPAND_SCALAR(scalar_option1, Blend::option1, false);

@@ -5,7 +5,7 @@
 
 namespace lancret {
 
-ChunkedGroom make_chunked_groom(const GroomSettings& groom, std::uint32_t most,
+ChunkedGroom make_chunked_groom(const GroomSettings& groom, std::uint32_t max_strands,
                                 const StageCallback& stage) {
     ChunkedGroom out;
     ReadyGroom& ready = out.ready;
@@ -21,7 +21,8 @@ ChunkedGroom make_chunked_groom(const GroomSettings& groom, std::uint32_t most,
     ready.classes = child_classes(groom, ready.placed, ready.sample, finest);
     ready.binding = in_class_order(ready.sample, ready.classes);
     out.chunks = make_chunks(
-        out.places.size(), [&](std::uint32_t i) { return place_of(out, i); }, most);
+        out.places.size(), [&](std::uint32_t i) { return place_of(out, i); },
+        max_strands);
     ready.seconds.bind = watch.lap();
     return out;
 }

@@ -19,9 +19,9 @@ struct ChunkedGroom {
 };
 
 /// Loads, chooses and fits the guides, places the children and cuts them into chunks of
-/// at most `most` strands. Throws InputError.
+/// at most `max_strands` strands. Throws InputError.
 ChunkedGroom make_chunked_groom(const GroomSettings& groom,
-                                std::uint32_t most = kStrandsPerChunk,
+                                std::uint32_t max_strands = kStrandsPerChunk,
                                 const StageCallback& stage = {});
 
 /// The root of a child at rest, cm.

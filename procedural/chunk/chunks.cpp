@@ -52,14 +52,14 @@ void split(std::span<Item> items, std::size_t from, std::size_t to, std::size_t 
 }  // namespace
 
 Chunks make_chunks(std::size_t count, const std::function<Vec3f(std::uint32_t)>& root,
-                   std::uint32_t most) {
-    if (most == 0 || count > std::numeric_limits<std::uint32_t>::max()) {
+                   std::uint32_t max_strands) {
+    if (max_strands == 0 || count > std::numeric_limits<std::uint32_t>::max()) {
         throw std::invalid_argument(
             "make_chunks: need at least 1 child per chunk and fewer than 2^32 children");
     }
     Chunks out;
     if (count == 0) return out;
-    const std::size_t chunks = (count + most - 1) / most;
+    const std::size_t chunks = (count + max_strands - 1) / max_strands;
     std::vector<Item> items(count);
     const auto each = [&](auto&& visit) {
         cancellable_for(tbb::blocked_range<std::size_t>(0, count, 4096),

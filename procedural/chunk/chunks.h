@@ -26,11 +26,12 @@ struct Chunks {
     }
 };
 
-/// Cuts `count` children into ceil(count / most) chunks of nearly equal size, at most
-/// `most` >= 1 children each, by repeatedly halving across the longest side of the box of
-/// their roots. `root` returns the root of a child, cm. The same for any number of
-/// threads: children at the same place are ordered by id. Throws std::invalid_argument.
+/// Cuts `count` children into ceil(count / max_strands) chunks of nearly equal size, at
+/// most `max_strands` >= 1 children each, by repeatedly halving across the longest side
+/// of the box of their roots. `root` returns the root of a child, cm. The same for any
+/// number of threads: children at the same place are ordered by id. Throws
+/// std::invalid_argument.
 Chunks make_chunks(std::size_t count, const std::function<Vec3f(std::uint32_t)>& root,
-                   std::uint32_t most = kStrandsPerChunk);
+                   std::uint32_t max_strands = kStrandsPerChunk);
 
 }  // namespace lancret

@@ -121,24 +121,25 @@ struct ClassMeasures {
             profiles.push_back(guide_profiles<float>(guides, count));
             const auto& curvatures = profiles.back().curvatures;
             for (std::size_t g = 0; g < guides.size(); ++g) {
-                float most = 0;
+                float largest = 0;
                 for (std::size_t i = 0; i < std::size_t(count); ++i) {
-                    most = std::max(most, curvatures[g * std::size_t(count) + i].norm());
+                    largest =
+                        std::max(largest, curvatures[g * std::size_t(count) + i].norm());
                 }
-                max_curvature.push_back(most);
+                max_curvature.push_back(largest);
             }
         }
     }
     /// Upper limit of the turn of an interval of a child at a class, radians.
     float turn(const Binding& binding, std::size_t child, std::size_t c) const {
         const auto n = std::size_t(binding.neighbours);
-        float most = 0;
+        float largest = 0;
         for (std::size_t k = child * n; k < (child + 1) * n; ++k) {
             if (!(binding.weights[k] > 0)) continue;
-            most =
-                std::max(most, max_curvature[c * profiles[c].size() + binding.guides[k]]);
+            largest = std::max(largest,
+                               max_curvature[c * profiles[c].size() + binding.guides[k]]);
         }
-        return most * binding.lengths[child] / float(profiles[c].count);
+        return largest * binding.lengths[child] / float(profiles[c].count);
     }
 };
 

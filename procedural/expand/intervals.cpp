@@ -96,7 +96,7 @@ Farthest farthest_child(const Binding& binding, const GuideProfiles<float>& prof
 }  // namespace
 
 FoundIntervals intervals_within(const Binding& binding, const Guides& guides, Blend blend,
-                                double tolerance, CurveBasis basis, int most) {
+                                double tolerance, CurveBasis basis, int max_count) {
     double turn = 0;
     for (std::size_t i = 0; i < guides.curvatures.size(); ++i) {
         turn = std::max(turn, guides.curvatures[i].norm() * guides.segment_lengths[i]);
@@ -118,14 +118,15 @@ FoundIntervals intervals_within(const Binding& binding, const Guides& guides, Bl
         const auto farthest_among = [&](std::size_t first, std::size_t last) {
             return farthest_child(binding, profiles, blend, basis, first, last);
         };
-        // The child that was too far off before most likely is again, and one is enough
-        // to go on. A polyline's next count depends on the largest distance.
+        // The child that was too far off before probably still is, and one such child is
+        // enough for another step. A polyline's next count depends on the largest
+        // distance.
         const std::size_t worst = farthest.child;
-        const bool one_is_enough = farthest.distance > aim && n < most &&
+        const bool one_is_enough = farthest.distance > aim && n < max_count &&
                                    basis != CurveBasis::linear &&
                                    farthest_among(worst, worst + 1).distance > aim;
         if (!one_is_enough) farthest = farthest_among(0, sample);
-        if (n >= most || farthest.distance <= aim) return {n, farthest.distance};
+        if (n >= max_count || farthest.distance <= aim) return {n, farthest.distance};
         // A polyline is off by kappa ds^2 / 8 and may need hundreds of intervals. Above
         // kMaxIntervals steps of a sixteenth are fine enough.
         const double more = basis == CurveBasis::linear
@@ -135,7 +136,8 @@ FoundIntervals intervals_within(const Binding& binding, const Guides& guides, Bl
         const auto segments = [&](double count) {
             return guides.segments * std::max(1, int(std::ceil(count / guides.segments)));
         };
-        n = std::min(n + segments(std::min(more, double(most))), segments(most));
+        n = std::min(n + segments(std::min(more, double(max_count))),
+                     segments(max_count));
     }
 }
 

@@ -40,12 +40,12 @@ struct FoundIntervals {
 
 /// The number of intervals at which emitted curves of `basis` stay within `tolerance` cm
 /// of the strands and no interval of a guide turns by more than kMaxTurn. The tolerance
-/// gives way beyond `most` intervals. The first kSampledChildren are measured and keep
+/// gives way at `max_count` intervals. The first kSampledChildren are measured and keep
 /// kSampleShare of the tolerance; `check_strands` measures all. Above kMaxIntervals the
 /// count may be up to a sixteenth larger than necessary. Throws InputError if a segment
 /// of a guide turns too far.
 FoundIntervals intervals_within(const Binding& binding, const Guides& guides, Blend blend,
                                 double tolerance, CurveBasis basis,
-                                int most = kMaxIntervals);
+                                int max_count = kMaxIntervals);
 
 }  // namespace lancret

@@ -32,9 +32,9 @@ std::vector<Vec3f> random_places(std::size_t count, unsigned seed) {
     return out;
 }
 
-Chunks chunks_of(const std::vector<Vec3f>& roots, std::uint32_t most) {
+Chunks chunks_of(const std::vector<Vec3f>& roots, std::uint32_t max_strands) {
     return make_chunks(
-        roots.size(), [&](std::uint32_t i) { return roots[i]; }, most);
+        roots.size(), [&](std::uint32_t i) { return roots[i]; }, max_strands);
 }
 
 TEST(Chunks, HoldEveryChildOnceInOrder) {
@@ -114,8 +114,8 @@ void expect_chunks_of_the_whole(const GroomSettings& groom) {
     const Curves all = expand(whole.binding, rest_guides(whole), groom.expand);
     std::map<std::uint32_t, std::uint32_t> place;  // id -> index
     for (std::uint32_t i = 0; i < all.strands; ++i) place[all.id_of(i)] = i;
-    for (const std::uint32_t most : {1000u, 128u, 7u}) {
-        const ChunkedGroom chunked = make_chunked_groom(groom, most);
+    for (const std::uint32_t max_strands : {1000u, 128u, 7u}) {
+        const ChunkedGroom chunked = make_chunked_groom(groom, max_strands);
         ASSERT_EQ(chunked.ready.profiles.count, whole.profiles.count);
         std::size_t strands = 0;
         for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
@@ -128,7 +128,7 @@ void expect_chunks_of_the_whole(const GroomSettings& groom) {
                            theirs = all.of_strand(all.points, place[id]);
                 ASSERT_EQ(mine.size(), theirs.size());
                 ASSERT_EQ(std::memcmp(mine.data(), theirs.data(), mine.size_bytes()), 0)
-                    << most << ' ' << id;
+                    << max_strands << ' ' << id;
             }
         }
         EXPECT_EQ(strands, all.strands);

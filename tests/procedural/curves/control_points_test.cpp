@@ -1,8 +1,9 @@
-#include "procedural/curves/control_points.h"
+#include "procedural/curves/emitted_curve.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <utility>
 
 #include "procedural/check/strand.h"
 #include "tests/procedural/expand/cubic_error.h"
@@ -27,22 +28,16 @@ Vec3 helix_position(const Vec3& u, double s) {
     return state.position;
 }
 
-/// A strand's control points with what evaluates them.
+/// A strand's control points and their evaluation.
 struct Emitted {
-    std::vector<Point4f> points, tangents;
+    StrandBuffer curve;
     EmittedStrand strand;
 
     Emitted(const std::vector<HelixState<float>>& states, double ds, CurveBasis basis,
             const Vec3f& root = Vec3f::Zero(), const Taper& taper = {}) {
-        const std::uint32_t n = std::uint32_t(states.size()) - 1;
-        points.resize(control_points_of(basis, n));
-        if (basis == CurveBasis::hermite) {
-            tangents.resize(points.size());
-            hermite_points(states, float(ds), root, taper, points, tangents);
-        } else {
-            bspline_points(states, float(ds), root, taper, points);
-        }
-        strand = {basis, points, tangents};
+        emit({.states = states, .ds = float(ds), .root = root, .taper = taper}, basis,
+             curve);
+        strand = {basis, curve.points, curve.tangents};
     }
     Emitted(const Emitted&) = delete;
 };
@@ -65,8 +60,9 @@ TEST(ControlPoints, AStraightStrandIsReproduced) {
 }
 
 TEST(ControlPoints, TheQuasiInterpolantReproducesCubicsInside) {
-    // On a cubic the second differences are p'' and 4 p'': (4 - 10) / 36 of it is -1/6,
-    // just what makes (c- + 4 c + c+) / 6 the point itself. Frames do not matter inside.
+    // On a cubic the second differences are p'' and 4 p'': (4 - 10) / 36 of p'' is -1/6
+    // of it, so that (c- + 4 c + c+) / 6 is the place itself. Inside, frames are not
+    // used.
     const auto cubic = [](double x) {
         return Vec3(x, 0.3 * x * x - x, 0.05 * x * x * x - 0.2 * x * x);
     };
@@ -74,20 +70,21 @@ TEST(ControlPoints, TheQuasiInterpolantReproducesCubicsInside) {
     std::vector<HelixState<float>> states(n + 1);
     for (int i = 0; i <= n; ++i) states[i].position = cubic(i).cast<float>();
     const Emitted emitted(states, 1, CurveBasis::bspline);
-    // Places 2 to n - 2 see no place beyond an end; the pieces between 3 and n - 3 see
-    // these alone.
+    // The control points 2 to n - 2 do not depend on places beyond the ends, and segments
+    // from 3 to n - 3 depend on these only.
     for (int j = 3; j < n - 3; ++j) {
         for (const double t : {0.0, 0.2, 0.5, 0.9}) {
-            // Places below 32 cm are rounded by 1e-6, taps add up to 76/36 of that.
+            // Places below 32 cm are rounded by 1e-6, and the taps add up to 76/36 of
+            // that.
             EXPECT_LT((emitted.strand.position(j, t) - cubic(j + t)).norm(), 4e-6);
         }
     }
 }
 
-TEST(ControlPoints, ACircleKeepsTheRadiusThatTheTapsGiveIt) {
-    // On a circle the taps scale by L = 1 + x/6 + x^2/36, x = 2 - 2 cos(theta); the
-    // curve's radius is L (1 - x/6) = 1 - x^3/216 at places and
-    // L (23 cos(theta/2) + cos(3 theta/2)) / 24 half way.
+TEST(ControlPoints, ACircleHasTheRadiusOfTheTaps) {
+    // On a circle the taps scale by L = 1 + x/6 + x^2/36, x = 2 - 2 cos(theta). The
+    // radius of the curve is L (1 - x/6) = 1 - x^3/216 at places and L (23 cos(theta/2) +
+    // cos(3 theta/2)) / 24 in the middle of intervals.
     const int n = 12;
     for (const double theta : {0.1, 0.5, 1.0, 1.5}) {
         const double radius = 2, ds = radius * theta;
@@ -98,8 +95,7 @@ TEST(ControlPoints, ACircleKeepsTheRadiusThatTheTapsGiveIt) {
             scale * (23 * std::cos(theta / 2) + std::cos(1.5 * theta)) / 24;
         const Vec3 centre(0, radius, 0);
         for (int j = 1; j < n - 1; ++j) {
-            // Float places up to 4 cm and control points as well: a few roundings of
-            // 2.4e-7.
+            // Places and control points up to 4 cm in floats: a few roundings of 2.4e-7.
             EXPECT_NEAR((emitted.strand.position(j, 0) - centre).norm(),
                         radius * (1 - x * x * x / 216), 2e-6);
             EXPECT_NEAR((emitted.strand.position(j, 0.5) - centre).norm(), radius * half,
@@ -124,15 +120,15 @@ double largest_error(const Vec3& u, int n, CurveBasis basis) {
     return worst;
 }
 
-TEST(ControlPoints, AreOffAHelixByTheClosedFormUpToItsEnds) {
+TEST(ControlPoints, DeviateFromAHelixByTheClosedForm) {
     const Vec3 u(0.6, 0.4, 0.9);
     for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
         for (const int n : {8, 12, 16, 24, 32}) {
-            // Places below 12 cm and three or four control points: 5e-7 each.
+            // Places below 12 cm, of three or four control points: 5e-7 each.
             const double exact = test::cubic_error(u, 12.0 / n, basis);
             EXPECT_NEAR(largest_error(u, n, basis), exact, 0.001 * exact + 3e-6) << n;
         }
-        // Order 4: half the step, a sixteenth of the error, or better.
+        // Order 4: half the step gives at most a sixteenth of the error.
         EXPECT_GT(largest_error(u, 12, basis) / largest_error(u, 24, basis), 15);
     }
 }
@@ -145,7 +141,7 @@ TEST(ControlPoints, BeginAndEndWhereTheStrandDoes) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
             const Emitted emitted(helix_states(u, ds, n), ds, basis, root);
             const Vec3 base = root.cast<double>();
-            // Outer control points lie up to 6 cm away: roundings of 5e-7.
+            // Outer control points lie up to 6 cm away and are rounded by 5e-7.
             EXPECT_LT((emitted.strand.position(0, 0) - base).norm(), 2e-6) << n;
             EXPECT_LT(
                 (emitted.strand.position(n - 1, 1) - base - helix_position(u, 6)).norm(),
@@ -169,12 +165,58 @@ TEST(ControlPoints, HermitePassesThroughPlacesAlongTheirTangents) {
     }
 }
 
-TEST(ControlPoints, CountsFollowTheBasis) {
-    EXPECT_EQ(control_points_of(CurveBasis::bspline, 5), 8u);
-    EXPECT_EQ(control_points_of(CurveBasis::hermite, 5), 6u);
+TEST(BasisLayout, CountsControlPointsAndSegments) {
+    const std::pair<CurveBasis, std::uint32_t> points_of_five_intervals[] = {
+        {CurveBasis::bspline, 8},
+        {CurveBasis::hermite, 6},
+        {CurveBasis::linear, 6},
+        {CurveBasis::catmull_rom, 8},
+        {CurveBasis::bezier, 16}};
+    for (const auto& [basis, points] : points_of_five_intervals) {
+        EXPECT_EQ(control_points_of(basis, 5), points) << layout_of(basis).name;
+        EXPECT_EQ(layout_of(basis).segments(points), 5u) << layout_of(basis).name;
+    }
 }
 
-/// The face at the interval's start and middle, by the B-spline of its control points.
+TEST(EmittedCurve, EveryBasisIsTheCurveThatTheCheckEvaluates) {
+    // Two evaluations that share no code, one of them in floats: places below 8 cm by at
+    // most four terms, each rounded by 2.4e-7 a few times.
+    const Vec3 u(0.3, -0.8, 0.5);
+    const int n = 7;
+    for (const BasisLayout& layout : kBasisLayouts) {
+        const Emitted emitted(helix_states(u, 0.5, n), 0.5, layout.basis, Vec3f(1, 2, 3));
+        ASSERT_EQ(emitted.strand.segments(), std::size_t(n)) << layout.name;
+        Eigen::AlignedBox3d hull;
+        extend_by_hull(hull, layout.basis, emitted.curve.points, emitted.curve.tangents);
+        for (int j = 0; j < n; ++j) {
+            for (const float t : {0.0f, 0.3f, 0.5f, 1.0f}) {
+                const Vec3 place = emitted.strand.position(j, t);
+                const Vec3f in_floats = emitted_place(layout.basis, emitted.curve.points,
+                                                      emitted.curve.tangents, j, t);
+                EXPECT_LT((in_floats.cast<double>() - place).norm(), 5e-6)
+                    << layout.name << ' ' << j << ' ' << t;
+                EXPECT_LT(hull.exteriorDistance(place), 1e-12) << layout.name;
+            }
+        }
+    }
+}
+
+TEST(EmittedCurve, BezierIsTheHermiteCurve) {
+    const Vec3 u(0.3, -0.8, 0.5);
+    const auto states = helix_states(u, 0.5, 6);
+    const Emitted hermite(states, 0.5, CurveBasis::hermite),
+        bezier(states, 0.5, CurveBasis::bezier);
+    for (int j = 0; j < 6; ++j) {
+        for (const double t : {0.0, 0.25, 0.5, 1.0}) {
+            // The inner Bezier points, below 4 cm, are rounded to floats.
+            EXPECT_LT(
+                (hermite.strand.position(j, t) - bezier.strand.position(j, t)).norm(),
+                1e-6);
+        }
+    }
+}
+
+/// The face at the start or in the middle of an interval, by the B-spline of normals.
 Vec3f face_at(std::span<const Point4f> normals, std::size_t interval, bool middle) {
     const Point4f* n = normals.data() + interval;
     const Vec3f sum =
@@ -184,28 +226,28 @@ Vec3f face_at(std::span<const Point4f> normals, std::size_t interval, bool middl
 }
 
 TEST(RibbonNormals, AStrandBendsOverItsFace) {
-    // A circle in the plane of n0 and a direction at angle 0.7 between n1 and n2: the
-    // face is the circle's own normal, in that plane, at every place. The control point
-    // beyond an end is short by turn^2 along the normal there, of which the middle of the
-    // interval takes 1 / 48 and sees it under half the turn: turn^3 / 96 = 3.5e-5 at
-    // 0.15.
+    // A circle in the plane of n0 and a direction at the angle 0.7 from n1 to n2: the
+    // face is the normal of the circle at every place. The control point beyond an end is
+    // short by turn^2 along the normal there, which counts by 1 / 48 in the middle of the
+    // interval and is seen at half the turn: turn^3 / 96 = 3.5e-5 for 0.15.
     const float angle = 0.7f;
     const Vec3 bend = std::cos(angle) * Vec3::UnitY() + std::sin(angle) * Vec3::UnitZ();
     const Vec3 u = 0.3 * Vec3::UnitX().cross(bend);
     const auto states = helix_states(u, 0.5, 10);
     std::vector<Point4f> normals(13);
     ribbon_normals(states, bent_face(states), normals);
-    for (std::size_t j = 0; j < 10; ++j)
+    for (std::size_t j = 0; j < 10; ++j) {
         for (const bool middle : {false, true}) {
             const double turned = 0.15 * (double(j) + (middle ? 0.5 : 0));
             const Vec3 face = std::cos(turned) * bend - std::sin(turned) * Vec3::UnitX();
             EXPECT_LT((face_at(normals, j, middle) - face.cast<float>()).norm(), 4e-5f)
                 << j;
         }
+    }
 }
 
 TEST(RibbonNormals, AStraightStrandFacesAlongItsFrameAndTurnsWithIt) {
-    // Twist alone: the face is n1, which turns by 0.2 an interval about the tangent.
+    // Pure twist: the face is n1, which turns about the tangent by 0.2 per interval.
     const auto states = helix_states(Vec3(0.4, 0, 0), 0.5, 8);
     std::vector<Point4f> normals(11);
     ribbon_normals(states, bent_face(states), normals);

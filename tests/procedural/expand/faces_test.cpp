@@ -1,4 +1,4 @@
-// The faces of ribbons in time.
+// The faces of ribbons over time.
 
 #include "procedural/expand/faces.h"
 
@@ -18,14 +18,14 @@ using test::StandingGuides;
 
 constexpr int kIntervals = 12;
 
-/// The guides with all curvatures times `share`: 1 is rest, 0 straight.
+/// The guides with all curvatures scaled by `share`: 1 is the rest pose, 0 straight.
 GuideProfiles<float> swung(const Guides& rest, double share) {
     Guides guides = rest;
     for (Vec3& u : guides.curvatures) u *= share;
     return guide_profiles<float>(guides, kIntervals);
 }
 
-/// Children between `standing`, with the faces of their rest pose.
+/// Children of the guides `standing`, with the faces of their rest pose.
 Binding with_faces(const StandingGuides& standing, int neighbours, Blend blend) {
     Binding out = bind(test::plane_roots(200, 5), standing.guides, standing.normals,
                        {.neighbours = neighbours});
@@ -35,7 +35,7 @@ Binding with_faces(const StandingGuides& standing, int neighbours, Blend blend) 
 
 Curves ribbons(const Binding& binding, const GuideProfiles<float>& profiles,
                Blend blend) {
-    // By the scalar blends, which choose the faces.
+    // With the scalar blends, which choose the faces.
     Curves out;
     expand(binding, profiles, {}, {.blend = blend, .shape = CurveShape::ribbon}, out);
     return out;
@@ -49,11 +49,11 @@ std::vector<HelixState<float>> states_of(const Binding& binding,
     return out;
 }
 
-TEST(RibbonFaces, StayWhereABendSwingsThroughStraight) {
-    // Each guide bends in one plane, and so does a child of that guide alone: its normal
-    // at a place turns by the change of the bend up to there, and by no more.
+TEST(RibbonFaces, StayWhenABendSwingsThroughStraight) {
+    // Each guide bends in one plane, and so does a child of one guide: its normal at a
+    // place turns by at most the change of the bend up to there.
     StandingGuides standing = standing_guides(30, 4, 3, 0.1);
-    double bend = 0;  // the largest of a whole strand, radian
+    double bend = 0;  // the largest of a strand, radians
     for (std::size_t g = 0; g < standing.guides.size(); ++g) {
         const double angle = double(g);
         double sum = 0;
@@ -66,10 +66,10 @@ TEST(RibbonFaces, StayWhereABendSwingsThroughStraight) {
         bend = std::max(bend, sum);
     }
     constexpr int kSteps = 40;
-    // Frames in single precision are good to 5e-7; the anchor's tilt divides what two
-    // spines round to by 0.05: 2 * 5e-7 / 0.05 = 2e-5 of either moment.
-    const double most = bend * 2 / kSteps + 2 * 2e-5;
-    ASSERT_LT(most, 0.2);
+    // Frames in single precision are accurate to 5e-7; the anchor's tilt divides the
+    // rounding errors of two spines by 0.05: 2 * 5e-7 / 0.05 = 2e-5 at either time.
+    const double limit = bend * 2 / kSteps + 2 * 2e-5;
+    ASSERT_LT(limit, 0.2);
     for (const BlendTraits& entry : blends()) {
         SCOPED_TRACE(entry.name);
         const Binding binding = with_faces(standing, 1, entry.blend);
@@ -80,25 +80,25 @@ TEST(RibbonFaces, StayWhereABendSwingsThroughStraight) {
             Curves now = ribbons(binding, swung(standing.guides, share), entry.blend);
             for (std::size_t j = 0; j < now.normals.size(); ++j) {
                 const std::size_t place = j % now.points_of(0);
-                // The outermost control points are no normals of a place.
+                // The outermost control points are not the normal of a place.
                 if (place == 0 || place == kIntervals + 2) continue;
                 const Vec3f turn = now.normals[j].xyz() - before.normals[j].xyz();
                 largest = std::max(largest, double(turn.norm()));
             }
             before = std::move(now);
         }
-        EXPECT_LE(largest, most);
+        EXPECT_LE(largest, limit);
     }
 }
 
-TEST(RibbonFaces, OfTwoMomentsNeverBlendToNothing) {
-    // The unit normals of two moments are turned into each other by the turn of the
-    // strand's own frame and by no more; what is left of them halfway is at least the
-    // cosine of half of it. The guides twist too, and swing through straight between the
-    // moments, where the face that each pose would choose for itself flips.
+TEST(RibbonFaces, OfTwoTimesNeverCancel) {
+    // The unit normals of two times differ by at most the rotation of the strand's frame,
+    // so the length of their mean is at least the cosine of half of that angle. The
+    // guides also twist, and they swing through straight between the two times, so that
+    // bent_face of the two poses flips.
     const StandingGuides standing = standing_guides(30, 4, 7);
     for (const BlendTraits& entry : blends()) {
-        // Its frames turn about with the bend: the test above.
+        // Their frames turn with the bend; see the test above.
         if (entry.rates == BlendRates::blended) continue;
         SCOPED_TRACE(entry.name);
         const Binding binding = with_faces(standing, 4, entry.blend);
@@ -106,7 +106,7 @@ TEST(RibbonFaces, OfTwoMomentsNeverBlendToNothing) {
         const auto closing = swung(standing.guides, -0.08);
         const Curves from = ribbons(binding, opening, entry.blend);
         const Curves to = ribbons(binding, closing, entry.blend);
-        std::size_t met = 0, flips = 0;
+        std::size_t compared = 0, flips = 0;
         for (std::size_t i = 0; i < binding.size(); ++i) {
             const auto a = states_of(binding, opening, entry.blend, i);
             const auto b = states_of(binding, closing, entry.blend, i);
@@ -115,20 +115,20 @@ TEST(RibbonFaces, OfTwoMomentsNeverBlendToNothing) {
                 const Mat3f turn = b[j].frame * a[j].frame.transpose();
                 const float cosine = (turn.trace() - 1) / 2;
                 if (!(cosine > 0)) continue;
-                ++met;
-                const std::size_t at = i * from.points_of(0) + j + 1;
-                const Vec3f half = (from.normals[at].xyz() + to.normals[at].xyz()) / 2;
-                // Frames are good to 5e-7, cos^2(turn / 2) = (1 + cosine) / 2 to thrice
-                // that.
+                ++compared;
+                const std::size_t k = i * from.points_of(0) + j + 1;
+                const Vec3f half = (from.normals[k].xyz() + to.normals[k].xyz()) / 2;
+                // Frames are accurate to 5e-7, cos^2(turn / 2) = (1 + cosine) / 2 to
+                // three times that.
                 EXPECT_GE(half.squaredNorm(), (1 + cosine) / 2 - 2e-6f) << i << ' ' << j;
             }
         }
-        EXPECT_GT(met, binding.size() * kIntervals / 2);
+        EXPECT_GT(compared, binding.size() * kIntervals / 2);
         EXPECT_GT(flips, binding.size() / 2);
     }
 }
 
-TEST(RibbonFaces, AtRestAreThoseThatEachStrandBendsOver) {
+TEST(RibbonFaces, AtRestAreTheSidesThatStrandsBendTowards) {
     const StandingGuides standing = standing_guides(30, 4, 9);
     const auto rest = swung(standing.guides, 1);
     for (const BlendTraits& entry : blends()) {
@@ -147,15 +147,16 @@ TEST(RibbonFaces, AtRestAreThoseThatEachStrandBendsOver) {
                     << i;
                 continue;
             }
-            // Option 1's angle is turned there and back, in a few roundings of 6e-8; the
-            // outermost control point is 2 of one normal less the next.
-            for (std::size_t j = 0; j < normals.size(); ++j)
+            // Option 1's angle is rotated and rotated back, with a few roundings of 6e-8;
+            // the outermost control point is twice one normal minus the next.
+            for (std::size_t j = 0; j < normals.size(); ++j) {
                 EXPECT_LT((out[j].xyz() - normals[j].xyz()).norm(), 3e-6f) << i;
+            }
         }
     }
 }
 
-TEST(RibbonFaces, MoveNoStrandAndAreThoseOfTheScalarBlends) {
+TEST(RibbonFaces, DoNotMoveStrandsAndAreThoseOfTheScalarBlends) {
     const StandingGuides standing = standing_guides(30, 4, 9);
     const auto rest = swung(standing.guides, 1);
     for (const BlendTraits& entry : blends()) {
@@ -170,15 +171,16 @@ TEST(RibbonFaces, MoveNoStrandAndAreThoseOfTheScalarBlends) {
             std::memcmp(fast.points.data(), plain.points.data(), plain.points.bytes()),
             0);
         ASSERT_EQ(fast.normals.size(), scalar.normals.size());
-        // Frames differ by up to 1e-4 radian (option 1's,
-        // tests/procedural/kernels/curl_test.cpp) and faces as much; the outermost
-        // control point is 2 of one normal less the next.
-        for (std::size_t j = 0; j < fast.normals.size(); ++j)
+        // Frames differ by up to 1e-4 radians (of option 1, see
+        // tests/procedural/kernels/curl_test.cpp), and so do faces; the outermost control
+        // point is twice one normal minus the next.
+        for (std::size_t j = 0; j < fast.normals.size(); ++j) {
             EXPECT_LT((fast.normals[j].xyz() - scalar.normals[j].xyz()).norm(), 1e-3f);
+        }
     }
 }
 
-TEST(RibbonFaces, AreChosenForGroomsOfRibbonsAlone) {
+TEST(RibbonFaces, AreChosenOnlyIfRequested) {
     GroomSettings groom;
     groom.name = "small";
     groom.made.strands = 60;
