@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "guides/base/errors.h"
 #include "procedural/evaluate/report.h"

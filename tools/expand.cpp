@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "guides/base/errors.h"
 #include "guides/files/hair_file.h"
@@ -41,14 +42,15 @@ int expand_groom(const ExpandOptions& options) {
     check_output(options.groom.stats, {}, job.inputs, output);
     if (options.chunks || options.chunk_strands) {
         if (!output.empty()) {
-            throw InputError("--chunks: keeps no strands to write; leave out -o");
+            throw InputError(
+                "--chunks: discards the strands and cannot be combined with -o");
         }
         expand_by_chunks(job, options.frame,
                          options.chunk_strands.value_or(kStrandsPerChunk),
                          options.groom.stats);
         return kFine;
     }
-    if (extension == ".txt") {  // which has one number of points for all strands
+    if (extension == ".txt") {  // requires the same number of points for all strands
         job.groom.expand.basis = CurveBasis::bspline;
         job.groom.adapt = false;
     }
@@ -71,8 +73,8 @@ int expand_groom(const ExpandOptions& options) {
     const double alike = stats.at("points_alike").get<double>();
     write_stats(options.groom.stats, std::move(stats));
     fmt::print(
-        "{} strands, {} points ({:.0f} % of strands alike) in {:.4f} s: {:.1f} million "
-        "points a second, {:.0f} bytes a strand{}\n",
+        "{} strands, {} points ({:.0f} % of those without adaptation) in {:.4f} s: "
+        "{:.1f} million points/s, {:.0f} bytes per strand{}\n",
         curves.strands, curves.points.size(), 100 * double(curves.points.size()) / alike,
         seconds, double(curves.points.size()) / seconds / 1e6,
         double(curves.bytes()) / curves.strands,
@@ -85,21 +87,21 @@ int expand_groom(const ExpandOptions& options) {
 void add_expand(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<ExpandOptions>();
     CLI::App* command =
-        app.add_subcommand("expand", "Grow the children; write or time them");
+        app.add_subcommand("expand", "Grow the children and write or time them");
     add_groom_options(*command, options->groom);
     add_frame_option(*command, options->frame);
     command
         ->add_option(
             "-o,--output", options->output,
-            "points on the strands (.hair) or B-spline control points as Mitsuba text "
-            "(.txt); without it the strands are only grown")
+            "file of points on the strands (.hair) or of B-spline control points in "
+            "Mitsuba's text format (.txt); default: none")
         ->type_name("FILE")
         ->check(not_empty());
     command->add_flag("--chunks", options->chunks,
-                      "grow chunk by chunk and keep none: as many strands as you like");
+                      "grow in chunks and discard them, for any number of strands");
     command
         ->add_option("--chunk-strands", options->chunk_strands,
-                     "strands of a chunk at most; 4096 by default")
+                     "maximum number of strands per chunk; default: 4096")
         ->type_name("N")
         ->check(CLI::Range(1u, 1'000'000u));
     command->footer(

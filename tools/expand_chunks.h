@@ -9,9 +9,9 @@
 
 namespace lancret {
 
-/// lancret expand --chunks: grows the children of a job chunk by chunk, keeps none, and
-/// says what it took. Throws InputError.
-void expand_by_chunks(const Job& job, const FrameOptions& frame, std::uint32_t most,
-                      const std::string& stats_file);
+/// lancret expand --chunks: grows the children of a job in chunks of at most
+/// `chunk_strands`, discards them and prints the cost. Throws InputError.
+void expand_by_chunks(const Job& job, const FrameOptions& frame,
+                      std::uint32_t chunk_strands, const std::string& stats_file);
 
 }  // namespace lancret

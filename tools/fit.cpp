@@ -30,8 +30,8 @@ int fit_groom(const FitOptions& options) {
     check_output(options.groom.stats, {}, job.inputs, options.output);
     const PlacedGuides fitted = place_guides(job.groom);
     if (fitted.fits.empty()) {
-        throw InputError(fmt::format("{}: holds guides already, there is nothing to fit",
-                                     job.groom.name));
+        throw InputError(
+            fmt::format("{}: contains guides, not strands to fit", job.groom.name));
     }
     std::vector<double> rms, farthest;
     for (const FitReport& fit : fitted.fits) {
@@ -43,8 +43,8 @@ int fit_groom(const FitOptions& options) {
     write_stats(options.groom.stats, fit_stats(fitted));
     fmt::print(
         "{} guides of {} segments from {} strands in {:.2f} s\n"
-        "RMS distance over length: median {:.3f} %, 95 % {:.3f} %, max {:.3f} %\n"
-        "farthest point: median {:.4f} cm, max {:.4f} cm\n",
+        "RMS distance over length: median {:.3f} %, p95 {:.3f} %, max {:.3f} %\n"
+        "largest distance: median {:.4f} cm, max {:.4f} cm\n",
         fitted.guides.size(), fitted.guides.segments, fitted.report.groom_strands,
         fitted.report.seconds.fit, rms[rms.size() / 2], rms[rms.size() * 95 / 100],
         rms.back(), farthest[farthest.size() / 2], farthest.back());
@@ -63,7 +63,7 @@ void add_fit(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<FitOptions>();
     CLI::App* command = app.add_subcommand("fit", "Fit Super-Helix guides to strands");
     add_groom_options(*command, options->groom);
-    command->add_option("-o,--output", options->output, "guide cache (.h5)")
+    command->add_option("-o,--output", options->output, "guide cache to write (.h5)")
         ->type_name("FILE")
         ->check(not_empty());
     command->footer(

@@ -16,33 +16,34 @@ namespace lancret {
 void add_frame_option(CLI::App& command, FrameOptions& options) {
     command
         .add_option("--frame", options.frame,
-                    "one frame of a cache, by its number; 12.25 lies between two")
+                    "frame number of a cache; 12.25 lies between two frames")
         ->type_name("N");
 }
 
 void add_frames_options(CLI::App& command, FrameOptions& options) {
     add_frame_option(command, options);
-    command.add_option("--frames", options.frames, "frames of a cache, by their numbers")
+    command.add_option("--frames", options.frames, "range of frames of a cache")
         ->type_name("A-B")
         ->check(not_empty())
         ->excludes("--frame");
 }
 
 std::pair<int, int> parse_frames(const std::string& text, const std::string& where) {
-    const char* at = text.data();
-    const char* const end = at + text.size();
+    const char* next = text.data();
+    const char* const end = next + text.size();
     const auto number = [&](int& value) {
-        const auto [stop, error] = std::from_chars(at, end, value);
-        at = stop;
+        const auto [stop, error] = std::from_chars(next, end, value);
+        next = stop;
         return error == std::errc();
     };
     int first = 0, last = 0;
     bool good = number(first);
     last = first;
-    if (good && at != end) good = *at++ == '-' && number(last) && at == end;
+    if (good && next != end) good = *next++ == '-' && number(last) && next == end;
     if (!good || last < first) {
         throw InputError(fmt::format(
-            "{}: '{}' are no frames; give a number such as 12 or a range such as 1-96",
+            "{}: invalid frames '{}': expected a number such as 12 or a range such as "
+            "1-96",
             where, text));
     }
     return {first, last};
@@ -55,7 +56,8 @@ ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all
     if (out.cache.empty()) {
         if (options.given()) {
             throw InputError(
-                fmt::format("{}: {} is no cache (.h5) and so has no frames; simulate one",
+                fmt::format("{}: {} is not a guide cache (.h5) and has no frames; "
+                            "make one with lancret simulate",
                             option, job.groom.name));
         }
         out.frames = {0};
@@ -65,12 +67,12 @@ ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all
     std::pair<double, double> range{first, all ? last : first};
     if (options.frame) range = {*options.frame, *options.frame};
     if (!options.frames.empty()) range = parse_frames(options.frames, option);
-    // Written so that a NaN is missing.
+    // A NaN fails both comparisons.
     if (!(range.first >= first && range.second <= last)) {
         const double missing = range.second > last ? range.second : range.first;
         throw InputError(fmt::format(
             "{}: {} has no frame {}; it has {}", option, out.cache.string(), missing,
-            first == last ? fmt::format("frame {} alone", first)
+            first == last ? fmt::format("only frame {}", first)
                           : fmt::format("frames {} to {}", first, last)));
     }
     for (double f = range.first; f <= range.second; ++f) out.frames.push_back(f);
@@ -96,7 +98,7 @@ ShutterTimes shutter_times(const ChosenFrames& chosen, double frame,
 
 namespace {
 
-/// The number with at least `width` characters before its decimals, if any.
+/// The frame number with its integer part padded to at least `width` characters.
 std::string padded(double frame, int width) {
     std::string text = fmt::format("{:.6f}", frame);
     text.erase(text.find_last_not_of('0') + 1);
@@ -124,7 +126,7 @@ std::filesystem::path picture_path(const std::filesystem::path& output, double f
     const int width = hashes                  ? int(found.length())
                       : found[2].length() > 0 ? std::stoi(found[2])
                                               : 1;
-    // %4d pads with blanks in C; a file's name is better off with zeros.
+    // %4d pads with blanks in C; zeros suit file names better.
     return output.parent_path() /
            (found.prefix().str() + padded(frame, width) + found.suffix().str());
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the subcommands share that look at a cache of several frames.
+// Frames of a guide cache, for the subcommands that work on one or several.
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -15,44 +15,44 @@ struct Job;
 
 /// --frame N (12 or 12.25) and --frames A-B; at most one of them.
 struct FrameOptions {
-    std::optional<double> frame;  ///< may lie between two
+    std::optional<double> frame;  ///< may lie between two frames of the cache
     std::string frames;
 
     bool given() const { return frame || !frames.empty(); }
 };
 
 void add_frame_option(CLI::App& command, FrameOptions& options);
-/// The same and --frames.
+/// Adds --frame and --frames.
 void add_frames_options(CLI::App& command, FrameOptions& options);
 
-/// The frames of a job's cache that a command works on, as an artist counts them.
+/// The frames of a job's cache that a command works on, by frame number.
 struct ChosenFrames : GroomTimes {
-    std::vector<double> frames;  ///< at least one; where there is no cache, {0}
+    std::vector<double> frames;  ///< at least one; {0} without a cache
 };
 
-/// "12" or "1-96"; {first, last}. Throws InputError that begins with `where`.
+/// {first, last} of "12" or "1-96". Throws InputError, prefixed with `where`.
 std::pair<int, int> parse_frames(const std::string& text, const std::string& where);
 
-/// The frames that the options ask for; by default those from `first` of the cache on,
-/// all of them where `all`, else one. Throws InputError where there is no cache to choose
-/// from, or where it has no such frame: then it says which it has.
+/// The requested frames of the job's cache; without a request all of them if `all`,
+/// otherwise the first. Throws InputError if frames are requested that the cache does not
+/// have, or without a cache.
 ChosenFrames chosen_frames(const FrameOptions& options, const Job& job, bool all);
 
-/// The times at which a picture of `frame` needs its strands, as frames.
+/// The times at which a picture needs its strands, as frame numbers.
 struct ShutterTimes {
-    std::vector<double> frames;  ///< evenly spread; one where nothing moves
-    bool cut = false;            ///< the cache ends inside the shutter, which ends there
+    std::vector<double> frames;  ///< evenly spaced; a single one if nothing moves
+    bool cut = false;            ///< the shutter interval was clipped to the cache
 };
 
-/// The times of a shutter that is open from `shutter[0]` to `shutter[1]` frames after
-/// `frame`, `samples` (>= 2) of them; the frame alone without a shutter or a cache.
+/// The `samples` (>= 2) times of a shutter that is open from `shutter[0]` to `shutter[1]`
+/// frames relative to `frame`; only `frame` without a shutter or a cache.
 ShutterTimes shutter_times(const ChosenFrames& chosen, double frame,
                            const std::optional<Vec2>& shutter, int samples);
 
-/// The file of a frame: "head.####.png" and "head.%04d.png" have the number in place of
-/// the pattern; where there is none and `several` are written, it goes before the
-/// extension, "head.0012.png". Of a part of a frame the whole part is padded and the
-/// decimals (six at most) follow it: "head.0012.25.png".
+/// The file of a frame. The frame number replaces the pattern in "head.####.png" or
+/// "head.%04d.png". Without a pattern it is inserted before the extension if `several`
+/// pictures are written: "head.0012.png". The integer part is padded; up to six decimals
+/// follow: "head.0012.25.png".
 std::filesystem::path picture_path(const std::filesystem::path& output, double frame,
                                    bool several);
 

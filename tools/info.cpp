@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "guides/base/errors.h"
 #include "guides/files/guide_cache.h"
@@ -29,7 +30,7 @@ void print_box(const std::vector<Vec3f>& points) {
                low.y(), low.z(), high.x(), high.y(), high.z());
 }
 
-/// Minimum, median and maximum, by a format for each number.
+/// Prints minimum, maximum and median.
 void print_range(const char* title, std::vector<double> values, const char* unit) {
     if (values.empty()) return;
     std::ranges::sort(values);
@@ -53,12 +54,12 @@ nlohmann::json info_hair(const std::filesystem::path& file) {
             ++without_length;
         }
     }
-    print_range("points a strand", points, "");
+    print_range("points per strand", points, "");
     print_range("length", lengths, " cm");
-    if (without_length > 0) fmt::print("strands without a length: {}\n", without_length);
+    if (without_length > 0) fmt::print("strands of zero length: {}\n", without_length);
     print_box(strands.points);
     if (strands.thickness.empty()) {
-        fmt::print("thickness: {:.4g} for all\n", strands.default_thickness);
+        fmt::print("thickness: {:.4g} cm for all\n", strands.default_thickness);
     } else {
         print_range("thickness", {strands.thickness.begin(), strands.thickness.end()},
                     " cm");
@@ -70,8 +71,7 @@ nlohmann::json info_hair(const std::filesystem::path& file) {
     for (const std::string& warning : report.warnings)
         fmt::print("warning: {}\n", warning);
     if (report.dropped_strands > 0) {
-        fmt::print("warning: {} strands of one point, left out\n",
-                   report.dropped_strands);
+        fmt::print("warning: ignored {} strands of one point\n", report.dropped_strands);
     }
     return {{"strands", strands.size()}, {"points", strands.points.size()}};
 }
@@ -90,12 +90,12 @@ nlohmann::json info_obj(const std::filesystem::path& file) {
 nlohmann::json info_cache(const std::filesystem::path& file) {
     const GuideCacheInfo info = guide_cache_info(file);
     const Guides guides = read_guide_cache(file, 0);
-    fmt::print("{}\n{} guides of {} segments, {} frames from {} at {} a second\n",
+    fmt::print("{}\n{} guides of {} segments, {} frames from {} at {} fps\n",
                file.string(), info.guides, info.segments, info.frames, info.first_frame,
                info.frames_per_second);
-    fmt::print("rest pose: {}; {}\n", info.has_rest ? "its own" : "the first frame",
-               info.has_restart ? "a run can go on from the last frame"
-                                : "without what a run needs to go on");
+    fmt::print("rest pose: {}; {}\n", info.has_rest ? "stored" : "first frame",
+               info.has_restart ? "a simulation can continue from the last frame"
+                                : "no restart data");
     if (!info.groom.empty()) fmt::print("groom: {}\n", info.groom);
     std::vector<double> lengths;
     for (std::size_t g = 0; g < guides.size(); ++g)
@@ -117,13 +117,13 @@ nlohmann::json info_groom(const std::filesystem::path& file) {
     options.input = file;
     const Job job = read_job(options);
     const GroomSettings& g = job.groom;
-    fmt::print("{}\nstrands from {}; {} segments a guide\n", file.string(),
-               g.strands_file.empty() ? "Lancret itself" : g.strands_file.string(),
+    fmt::print("{}\nstrands from {}; {} segments per guide\n", file.string(),
+               g.strands_file.empty() ? "Lancret's generator" : g.strands_file.string(),
                g.fit.segments);
     if (!g.scalp_file.empty()) fmt::print("scalp: {}\n", g.scalp_file.string());
     const std::string children = g.strands ? fmt::format("{}", *g.strands)
-                                           : "50000 (or one a root without a scalp)";
-    fmt::print("{} children by blend {} between {} guides each\n", children,
+                                           : "50000 (without a scalp, one per root)";
+    fmt::print("{} children, blend {} of {} guides each\n", children,
                blend_name(g.expand.blend), g.bind.neighbours);
     return nlohmann::json::object();
 }
@@ -156,15 +156,13 @@ void add_info(CLI::App& app, int& exit_code) {
         std::filesystem::path file, stats;
     };
     auto options = std::make_shared<InfoOptions>();
-    CLI::App* command = app.add_subcommand("info", "Say what is in a file");
+    CLI::App* command = app.add_subcommand("info", "Print what a file contains");
     command
         ->add_option("file", options->file,
                      "strands (.hair), mesh (.obj), guides (.h5), groom (.toml)")
         ->required()
         ->type_name("FILE");
-    command
-        ->add_option("--stats", options->stats,
-                     "write what was read and how long it took")
+    command->add_option("--stats", options->stats, "write statistics and timings")
         ->type_name("JSON");
     command->footer("Examples:\n  lancret info groom.hair\n  lancret info guides.h5");
     command->callback(

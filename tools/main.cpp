@@ -1,4 +1,4 @@
-// The lancret command: grows hair between guides, shows it and proves it.
+// The lancret command.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,8 +17,8 @@ using namespace lancret;
 
 namespace {
 
-/// Exactly one line on stderr, whatever a library put into its message.
-void complain(std::string what) {
+/// Prints an error as one line, even if a library's message has several.
+void print_error(std::string what) {
     for (char& c : what) {
         if (c == '\n' || c == '\r') c = ' ';
     }
@@ -26,30 +26,30 @@ void complain(std::string what) {
     fmt::print(stderr, "lancret: {}\n", what);
 }
 
-/// A word in the place of a subcommand that is none.
+/// Throws InputError if `word` is neither an option nor a subcommand.
 void check_subcommand(const CLI::App& app, std::string_view word) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) {
         names.push_back(command->get_name());
     }
     if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return;
-    const auto meant =
+    const auto nearest =
         nearest_name(word, std::vector<std::string_view>(names.begin(), names.end()));
-    throw InputError(fmt::format("there is no subcommand '{}'{}; one of: {} (see --help)",
-                                 word,
-                                 meant ? fmt::format(", did you mean '{}'?", *meant) : "",
-                                 fmt::join(names, ", ")));
+    throw InputError(
+        fmt::format("unknown subcommand '{}'{}; expected one of {} (see --help)", word,
+                    nearest ? fmt::format(", did you mean '{}'?", *nearest) : "",
+                    fmt::join(names, ", ")));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Grows hair between Super-Helix guides, shows it and proves it.",
+    CLI::App app("Grows hair between Super-Helix guides, renders and checks it.",
                  "lancret");
     app.require_subcommand(1);
     app.footer(
-        "Exit codes: 0 fine, 1 a check failed, 2 bad input or use.\n"
-        "`lancret COMMAND --help` has examples.");
+        "Exit codes: 0 success, 1 a check failed, 2 invalid input or usage.\n"
+        "`lancret COMMAND --help` shows examples.");
     int exit_code = kFine;
     add_preview(app, exit_code);
     add_expand(app, exit_code);
@@ -63,14 +63,14 @@ int main(int argc, char** argv) {
         if (argc > 1) check_subcommand(app, argv[1]);
         app.parse(argc, argv);
         return exit_code;
-    } catch (const CLI::Success& asked_for_help) {
-        return app.exit(asked_for_help);
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        complain(fmt::format("{} (see --help)", error.what()));
+        print_error(fmt::format("{} (see --help)", error.what()));
     } catch (const std::bad_alloc&) {
-        complain("not enough memory for this many strands or pixels");
+        print_error("not enough memory for this many strands or pixels");
     } catch (const std::exception& error) {
-        complain(error.what());
+        print_error(error.what());
     }
     return kBadInput;
 }

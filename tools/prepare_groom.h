@@ -1,5 +1,5 @@
 #pragma once
-// From a groom to its strands, for commands that look at more than the curves.
+// Preparing a groom for expansion, with progress, warnings and statistics.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -7,11 +7,11 @@
 
 namespace lancret {
 
-/// make_ready_groom with its stages on a terminal and its warnings on stderr. Throws
-/// InputError.
+/// make_ready_groom with progress, warnings and a binding report on stderr. Throws
+/// InputError, also for more control points than 32 bits can index.
 ReadyGroom prepare_groom(const GroomSettings& groom);
 
-/// What is worth telling of a groom's guides, on stderr.
+/// Prints the warnings about a groom's guides to stderr.
 void log_warnings(const ReadyGroom& ready);
 
 /// {groom_strands, guides, segments, seconds.{load, fit}, fit.{...}, roots.{...}}.

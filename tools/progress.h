@@ -1,6 +1,5 @@
 #pragma once
-// What a person at a terminal sees while waiting: on stderr, and only where that is a
-// terminal.
+// Progress on stderr, shown only if stderr is a terminal.
 
 #include <chrono>
 #include <cstdint>
@@ -9,7 +8,7 @@
 
 namespace lancret {
 
-/// One line that names the stage at work, and is gone when done.
+/// A line with the name of the current stage; the destructor clears it.
 class StageLine {
   public:
     ~StageLine() { clear(); }
@@ -20,13 +19,13 @@ class StageLine {
     bool shown_ = false;
 };
 
-/// A bar with the share done, the time left and, where any were counted, million rays a
-/// second; appears after a second.
+/// A bar with the completed fraction, the remaining time and, if rays were counted, the
+/// rate in million rays per second. Appears after one second.
 class ProgressBar {
   public:
     explicit ProgressBar(std::string title) : title_(std::move(title)) {}
     ~ProgressBar() { line_.clear(); }
-    /// `done` in [0, 1]. One thread at a time.
+    /// `done` is in [0, 1]. Not thread-safe.
     void show(double done, std::uint64_t rays = 0);
 
   private:

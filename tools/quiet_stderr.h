@@ -1,6 +1,5 @@
 #pragma once
-// Libraries that write to stderr by themselves: libpng does for a broken picture,
-// whatever its caller makes of the error.
+// Silences libraries that write to stderr themselves, such as libpng for a damaged file.
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -9,27 +8,27 @@
 
 namespace lancret {
 
-/// While it lives, stderr goes nowhere, for all threads.
+/// Discards stderr of all threads during its lifetime.
 class QuietStderr {
   public:
     QuietStderr() {
         std::fflush(stderr);
-        kept_ = dup(STDERR_FILENO);
-        const int nowhere = open("/dev/null", O_WRONLY);
-        if (kept_ >= 0 && nowhere >= 0) dup2(nowhere, STDERR_FILENO);
-        if (nowhere >= 0) close(nowhere);
+        saved_ = dup(STDERR_FILENO);
+        const int null_device = open("/dev/null", O_WRONLY);
+        if (saved_ >= 0 && null_device >= 0) dup2(null_device, STDERR_FILENO);
+        if (null_device >= 0) close(null_device);
     }
     ~QuietStderr() {
         std::fflush(stderr);
-        if (kept_ < 0) return;
-        dup2(kept_, STDERR_FILENO);
-        close(kept_);
+        if (saved_ < 0) return;
+        dup2(saved_, STDERR_FILENO);
+        close(saved_);
     }
     QuietStderr(const QuietStderr&) = delete;
     QuietStderr& operator=(const QuietStderr&) = delete;
 
   private:
-    int kept_ = -1;
+    int saved_ = -1;
 };
 
 }  // namespace lancret

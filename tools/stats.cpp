@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "guides/base/atomic_file.h"
 #include "procedural/curves/control_points.h"
@@ -17,8 +18,8 @@ std::size_t peak_rss() {
 
 IntervalCounts interval_counts(const Curves& curves) {
     IntervalCounts out;
-    for (const CurveClass& own : curves.classes) {
-        out[int(own.segments)] += own.strands;
+    for (const CurveClass& c : curves.classes) {
+        out[int(c.segments)] += c.strands;
     }
     return out;
 }
@@ -27,9 +28,9 @@ void add_class_stats(nlohmann::json& stats, const IntervalCounts& counts,
                      CurveBasis basis) {
     std::size_t strands = 0;
     stats["classes"] = nlohmann::json::array();
-    for (const auto& [intervals, own] : counts) {
-        stats["classes"].push_back({{"intervals", intervals}, {"strands", own}});
-        strands += own;
+    for (const auto& [intervals, count] : counts) {
+        stats["classes"].push_back({{"intervals", intervals}, {"strands", count}});
+        strands += count;
     }
     const auto finest = stats.at("intervals").get<std::uint32_t>();
     stats["points_alike"] = strands * control_points_of(basis, finest);

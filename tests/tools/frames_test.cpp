@@ -311,7 +311,7 @@ TEST(Frames, AFrameOfARunUnderWayIsACacheByItself) {
                 works());
     const CommandRun info = lancret({"info", frame});
     ASSERT_THAT(info, works());
-    EXPECT_THAT(info.out, HasSubstr("a run can go on from the last frame"));
+    EXPECT_THAT(info.out, HasSubstr("a simulation can continue from the last frame"));
 }
 
 TEST(Frames, InfoTellsFramesRateAndGroom) {
@@ -320,8 +320,8 @@ TEST(Frames, InfoTellsFramesRateAndGroom) {
     const CommandRun info = lancret({"info", f.cache, "--stats", json});
     ASSERT_THAT(info, works());
     EXPECT_THAT(info.out,
-                AllOf(HasSubstr("3 frames from 11 at 24 a second"),
-                      HasSubstr("groom: " + f.made), HasSubstr("rest pose: its own")));
+                AllOf(HasSubstr("3 frames from 11 at 24 fps"),
+                      HasSubstr("groom: " + f.made), HasSubstr("rest pose: stored")));
     const auto stats = json_of(json);
     EXPECT_EQ(stats["last_frame"], 13);
     EXPECT_EQ(stats["groom"], f.made);

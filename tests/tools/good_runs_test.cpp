@@ -310,7 +310,7 @@ TEST(Info, TellsWhatIsInEachKindOfFile) {
     const CommandRun hair = lancret({"info", folder.hair});
     ASSERT_THAT(hair, works());
     EXPECT_THAT(hair.out, HasSubstr("25 strands, 600 points"));
-    EXPECT_THAT(hair.out, HasSubstr("points a strand: 24 to 24"));
+    EXPECT_THAT(hair.out, HasSubstr("points per strand: 24 to 24"));
     const CommandRun obj = lancret({"info", folder.obj});
     ASSERT_THAT(obj, works());
     EXPECT_THAT(obj.out, HasSubstr("16 vertices, 18 triangles, with UVs"));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "guides/base/errors.h"
 #include "sim/equilibrium/modes.h"
