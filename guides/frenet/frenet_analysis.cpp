@@ -90,11 +90,6 @@ NormalAngles normal_angles(const std::vector<Vec3>& bends,
 
 }  // namespace
 
-double noise_turn(const Curve& curve, double position_error) {
-    const double chord = curve.length() / double(curve.pieces.size());
-    return 12 * position_error / (chord * chord) * curve.length();
-}
-
 std::vector<FrenetPoint> frenet_points(std::span<const CurvePoint> samples,
                                        const Vec3& hint, double straight_turn) {
     if (samples.empty()) return {};

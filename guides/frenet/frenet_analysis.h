@@ -18,13 +18,6 @@ namespace lancret {
 /// place is straight where |kappa| times the length is below.
 constexpr double kStraightTurn = 1e-6;
 
-/// The turn over its length that a straight strand can seem to have, radian, where its
-/// points are off by `position_error` (cm; a float's is 6e-8 of the largest coordinate):
-/// errors of alternating sign give a spline of chords h a second derivative of 12 errors
-/// / h^2. Below it N is noise, so take this for `straight_turn` where it exceeds
-/// kStraightTurn.
-double noise_turn(const Curve& curve, double position_error);
-
 /// The apparatus at a place of a curve.
 struct FrenetPoint {
     HelixState<double> state;  ///< frame [T N B] and position

@@ -106,6 +106,14 @@ TEST(FrenetAnalysis, RootWithoutSpeedTakesTheTangentAfterIt) {
     EXPECT_LT((synthesize(profile).back().position - Vec3(2, 2, 0)).norm(), 1e-4);
 }
 
+/// The turn over its length, radians, that a straight strand can seem to have if its
+/// points are off by `position_error` (cm): errors of alternating sign give a spline with
+/// chords h a second derivative of 12 errors / h^2.
+double noise_turn(const Curve& curve, double position_error) {
+    const double chord = curve.length() / double(curve.pieces.size());
+    return 12 * position_error / (chord * chord) * curve.length();
+}
+
 TEST(FrenetAnalysis, RoundOffOfFloatsIsNoBend) {
     // A line 100 cm from the origin in floats: half an ulp is 2^-18 = 3.8e-6 cm an axis.
     std::vector<Vec3f> points;
