@@ -1,5 +1,5 @@
-// [dynamics], [motion] and [[colliders]] that say what cannot be, and outputs that cannot
-// be written: one line each, with the file and the line in it.
+// Invalid [dynamics], [motion] and [[colliders]], and outputs that cannot be written:
+// each error is one line with the file and its line number.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ struct BadDynamics : SmallGrooms {
     }
     /// Expects one line with "g.toml:<line>: " and `parts`.
     template <class... Parts>
-    void says(int line, std::string_view text, const Parts&... parts) {
+    void expect_error(int line, std::string_view text, const Parts&... parts) {
         EXPECT_THAT(run(text),
                     refuses_with("g.toml:" + std::to_string(line) + ": ", parts...))
             << text;
@@ -26,25 +26,27 @@ struct BadDynamics : SmallGrooms {
     }
 };
 
-TEST(BadDynamicsFile, TypingErrorsAreNamedWithTheKeyMeant) {
+TEST(BadDynamicsFile, TypingErrorsAreNamedWithTheNearestKey) {
     BadDynamics f;
-    f.says(2, "[dynamics]\nsubstep = 3\n", "substep", "substeps");
-    f.says(3, "[dynamics]\n\nyoung_modulos = 1e10\n", "young_modulos", "young_modulus");
-    f.says(2, "[dynamics.contact]\nfrictoin = 1\n", "frictoin", "friction");
-    f.says(2, "[dynamics.strands]\nradios = 1\n", "radios", "radius");
-    f.says(2, "[dynamics.wind]\nvelocty = [1, 0, 0]\n", "velocty", "velocity");
-    f.says(1, "[dynamics.winds]\nturbulence = 1\n", "winds", "wind");
-    f.says(1, "[dynamic]\ndrag = 1\n", "dynamic", "dynamics");
-    f.says(2, "[motion]\nkey = []\n", "key", "keys");
-    f.says(2, "[motion]\nkeys = [{frame = 1, mov = [1, 0, 0]}]\n", "mov", "move");
-    f.says(3, "[[colliders]]\nshape = 'sphere'\nradios = 1\n", "radios", "radius");
-    f.says(1, "[[collider]]\nshape = 'sphere'\n", "collider", "colliders");
+    f.expect_error(2, "[dynamics]\nsubstep = 3\n", "substep", "substeps");
+    f.expect_error(3, "[dynamics]\n\nyoung_modulos = 1e10\n", "young_modulos",
+                   "young_modulus");
+    f.expect_error(2, "[dynamics.contact]\nfrictoin = 1\n", "frictoin", "friction");
+    f.expect_error(2, "[dynamics.strands]\nradios = 1\n", "radios", "radius");
+    f.expect_error(2, "[dynamics.wind]\nvelocty = [1, 0, 0]\n", "velocty", "velocity");
+    f.expect_error(1, "[dynamics.winds]\nturbulence = 1\n", "winds", "wind");
+    f.expect_error(1, "[dynamic]\ndrag = 1\n", "dynamic", "dynamics");
+    f.expect_error(2, "[motion]\nkey = []\n", "key", "keys");
+    f.expect_error(2, "[motion]\nkeys = [{frame = 1, mov = [1, 0, 0]}]\n", "mov", "move");
+    f.expect_error(3, "[[colliders]]\nshape = 'sphere'\nradios = 1\n", "radios",
+                   "radius");
+    f.expect_error(1, "[[collider]]\nshape = 'sphere'\n", "collider", "colliders");
 }
 
 TEST(BadDynamicsFile, WrongTypesAndRangesAreNamedWithTheirLine) {
     BadDynamics f;
     const auto dynamics = [&](const std::string& key, const std::string& value) {
-        f.says(2, "[dynamics]\n" + key + " = " + value + "\n", key);
+        f.expect_error(2, "[dynamics]\n" + key + " = " + value + "\n", key);
     };
     dynamics("young_modulus", "0");
     dynamics("poisson_ratio", "0.6");
@@ -64,7 +66,7 @@ TEST(BadDynamicsFile, WrongTypesAndRangesAreNamedWithTheirLine) {
     dynamics("contact", "3");
     const auto in = [&](const std::string& table, const std::string& key,
                         const std::string& value) {
-        f.says(2, "[dynamics." + table + "]\n" + key + " = " + value + "\n", key);
+        f.expect_error(2, "[dynamics." + table + "]\n" + key + " = " + value + "\n", key);
     };
     in("contact", "head", "3");
     in("contact", "thickness", "-1");
@@ -87,48 +89,54 @@ TEST(BadDynamicsFile, WrongTypesAndRangesAreNamedWithTheirLine) {
     in("wind", "seed", "-1");
 }
 
-TEST(BadDynamicsFile, MotionsThatCannotBe) {
+TEST(BadDynamicsFile, InvalidMotions) {
     BadDynamics f;
-    f.says(2, "[motion]\nkeys = 3\n", "keys");
-    f.says(2, "[motion]\nkeys = [1, 2]\n", "keys");
-    f.says(3, "[motion]\nkeys = [{frame = 1},\n {turn = [0, 1, 0]}]\n", "frame");
-    f.says(3, "[motion]\nkeys = [{frame = 2},\n {frame = 2}]\n", "rise");
-    f.says(2, "[motion]\nkeys = [{frame = nan}]\n", "frame");
-    f.says(2, "[motion]\nkeys = [{frame = 1e9}]\n", "frame");
-    f.says(2, "[motion]\nkeys = [{frame = 1, turn = 3}]\n", "turn");
-    f.says(2, "[motion]\nkeys = [{frame = 1, move = [0, 0, inf]}]\n", "move");
-    f.says(2, "[motion]\npivot = [0, 0]\n", "pivot");
-    f.says(2, "[motion]\nfiles = 'a.%04d.obj'\n", "first", "last");
-    f.says(2, "[motion]\nfiles = 'a.%04d.obj'\nfirst = 3\nlast = 2\n", "first", "last");
-    f.says(3, "[motion]\nkeys = [{frame = 1}]\nfiles = 'a.%d.obj'\nfirst = 1\nlast = 2\n",
-           "keys", "files");
-    f.says(3, "[motion]\nfiles = 'a.%d.obj'\nfirst = -1\nlast = 2\n", "first");
-    f.says(2, "[[motion.keys]]\nframe = 'one'\n", "frame");
-    f.says(2, "[motion]\nkeys = [{frame = 1, move = [1e30, 0, 0]}]\n", "move", "within");
+    f.expect_error(2, "[motion]\nkeys = 3\n", "keys");
+    f.expect_error(2, "[motion]\nkeys = [1, 2]\n", "keys");
+    f.expect_error(3, "[motion]\nkeys = [{frame = 1},\n {turn = [0, 1, 0]}]\n", "frame");
+    f.expect_error(3, "[motion]\nkeys = [{frame = 2},\n {frame = 2}]\n", "rise");
+    f.expect_error(2, "[motion]\nkeys = [{frame = nan}]\n", "frame");
+    f.expect_error(2, "[motion]\nkeys = [{frame = 1e9}]\n", "frame");
+    f.expect_error(2, "[motion]\nkeys = [{frame = 1, turn = 3}]\n", "turn");
+    f.expect_error(2, "[motion]\nkeys = [{frame = 1, move = [0, 0, inf]}]\n", "move");
+    f.expect_error(2, "[motion]\npivot = [0, 0]\n", "pivot");
+    f.expect_error(2, "[motion]\nfiles = 'a.%04d.obj'\n", "first", "last");
+    f.expect_error(2, "[motion]\nfiles = 'a.%04d.obj'\nfirst = 3\nlast = 2\n", "first",
+                   "last");
+    f.expect_error(
+        3, "[motion]\nkeys = [{frame = 1}]\nfiles = 'a.%d.obj'\nfirst = 1\nlast = 2\n",
+        "keys", "files");
+    f.expect_error(3, "[motion]\nfiles = 'a.%d.obj'\nfirst = -1\nlast = 2\n", "first");
+    f.expect_error(2, "[[motion.keys]]\nframe = 'one'\n", "frame");
+    f.expect_error(2, "[motion]\nkeys = [{frame = 1, move = [1e30, 0, 0]}]\n", "move",
+                   "within");
 }
 
-TEST(BadDynamicsFile, CollidersThatCannotBe) {
+TEST(BadDynamicsFile, InvalidColliders) {
     BadDynamics f;
-    f.says(1, "[[colliders]]\nradius = 3\n", "shape");
-    f.says(3, "[[colliders]]\nshape = 'sphere'\n[[colliders]]\nradius = 3\n", "shape");
-    f.says(2, "[[colliders]]\nshape = 'cube'\n", "cube", "sphere", "capsule", "mesh");
-    f.says(2, "[[colliders]]\nshape = 'mesh'\n", "file");
-    f.says(3, "[[colliders]]\nshape = 'sphere'\nradius = 0\n", "radius");
-    f.says(3, "[[colliders]]\nshape = 'sphere'\nfrom = [0, 0, 0]\n", "from");
-    f.says(3, "[[colliders]]\nshape = 'capsule'\nto = 3\n", "to");
-    f.says(3, "[[colliders]]\nshape = 'sphere'\nwith_head = 3\n", "with_head");
-    f.says(4, "[[colliders]]\nshape = 'sphere'\nwith_head = true\nkeys = [{frame = 1}]\n",
-           "keys");
-    f.says(1, "[colliders]\nshape = 'sphere'\n", "colliders", "[[colliders]]");
-    f.says(7,
-           "[motion]\nfiles = 'a.%d.obj'\nfirst = 1\nlast = 2\n[[colliders]]\n"
-           "shape = 'sphere'\nwith_head = true\n",
-           "with_head", "deforms");
+    f.expect_error(1, "[[colliders]]\nradius = 3\n", "shape");
+    f.expect_error(3, "[[colliders]]\nshape = 'sphere'\n[[colliders]]\nradius = 3\n",
+                   "shape");
+    f.expect_error(2, "[[colliders]]\nshape = 'cube'\n", "cube", "sphere", "capsule",
+                   "mesh");
+    f.expect_error(2, "[[colliders]]\nshape = 'mesh'\n", "file");
+    f.expect_error(3, "[[colliders]]\nshape = 'sphere'\nradius = 0\n", "radius");
+    f.expect_error(3, "[[colliders]]\nshape = 'sphere'\nfrom = [0, 0, 0]\n", "from");
+    f.expect_error(3, "[[colliders]]\nshape = 'capsule'\nto = 3\n", "to");
+    f.expect_error(3, "[[colliders]]\nshape = 'sphere'\nwith_head = 3\n", "with_head");
+    f.expect_error(
+        4, "[[colliders]]\nshape = 'sphere'\nwith_head = true\nkeys = [{frame = 1}]\n",
+        "keys");
+    f.expect_error(1, "[colliders]\nshape = 'sphere'\n", "colliders", "[[colliders]]");
+    f.expect_error(7,
+                   "[motion]\nfiles = 'a.%d.obj'\nfirst = 1\nlast = 2\n[[colliders]]\n"
+                   "shape = 'sphere'\nwith_head = true\n",
+                   "with_head", "deforms");
     EXPECT_THAT(f.run("[[colliders]]\nshape = 'mesh'\nfile = 'nothing.obj'\n"),
                 refuses_with("nothing.obj"));
 }
 
-TEST(BadDynamicsFile, MotionByFilesAsksForTheScalpAndItsFiles) {
+TEST(BadDynamicsFile, MotionByFilesNeedsAScalpAndTheFiles) {
     BadDynamics f;
     const std::string files = "[motion]\nfiles = 'a.%d.obj'\nfirst = 1\nlast = 2\n";
     EXPECT_THAT(f.run("[guides]\nfile = 'lawn.hair'\n" + files),
@@ -166,15 +174,15 @@ TEST(BadDynamicsFile, OptionsAndOutputs) {
                 refuses_with("no/s.json"));
     std::filesystem::create_directory(f / "folder.h5");
     EXPECT_THAT(simulate({"-o", f.at("folder.h5")}), refuses_with("folder.h5"));
-    write_bytes(f / "c.h5.frames", "a file in the way");
+    write_bytes(f / "c.h5.frames", "not a folder");
     EXPECT_THAT(simulate({"--frames", "1-2", "-o", c}), refuses_with("c.h5.frames"));
 }
 
-TEST(BadDynamicsFile, ACacheThatWasSimulatedIsNotWrittenOverItself) {
+TEST(BadDynamicsFile, ACacheIsNotOverwrittenByItsOwnSimulation) {
     const MovingGroom f;
     ASSERT_THAT(f.simulate("1-4", f.cache), works());
     EXPECT_THAT(lancret({"simulate", f.cache, "--frames", "1-4", "-o", f.cache}),
-                refuses_with("cache.h5", "read from"));
+                refuses_with("cache.h5", "input"));
     // From its rest pose, with its groom's settings: the frames of the groom, but for
     // the roots being put on the scalp once more, which moves them by round-off. In three
     // frames that grows by far less than 1e5.

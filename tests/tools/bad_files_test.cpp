@@ -1,5 +1,4 @@
-// Files that a user may point at by mistake, or that came broken: each is refused with
-// one line that names it.
+// Damaged files and files of the wrong kind: each is refused with one line that names it.
 
 #include <cstring>
 #include <limits>
@@ -14,7 +13,6 @@ void overwrite(std::string& bytes, std::size_t at, T value) {
     std::memcpy(&bytes.at(at), &value, sizeof(T));
 }
 
-/// What every subcommand that grows strands says of `hair`.
 CommandRun expand_of(const std::string& groom) { return lancret({"expand", groom}); }
 
 TEST(BadHairFile, TruncatedIsRefused) {
@@ -26,7 +24,7 @@ TEST(BadHairFile, TruncatedIsRefused) {
     }
 }
 
-TEST(BadHairFile, CountsThatDoNotAddUpAreRefused) {
+TEST(BadHairFile, InconsistentCountsAreRefused) {
     const SmallGrooms folder;
     for (const std::size_t at : {std::size_t(4), std::size_t(8)}) {  // strands, points
         for (const std::uint32_t count : {24u, 0xffffffffu}) {
@@ -47,7 +45,7 @@ TEST(BadHairFile, LowerCaseMagicIsRefused) {
                 refuses_with("lower.hair:byte 0", "HAIR"));
 }
 
-TEST(BadHairFile, PointsThatAreNoPlaceAreRefused) {
+TEST(BadHairFile, PointsThatAreNotFiniteOrTooFarAreRefused) {
     const SmallGrooms folder;
     for (const float x : {std::numeric_limits<float>::quiet_NaN(), 1e30f}) {
         std::string bytes = read_bytes(folder.hair);
@@ -104,7 +102,7 @@ TEST(BadFile, MissingIsRefusedByEverySubcommand) {
                 refuses_with("none.obj"));
 }
 
-TEST(BadFile, FolderIsNoFile) {
+TEST(BadFile, FolderIsRefused) {
     const SmallGrooms folder;
     for (const char* name : {"f.hair", "f.toml", "f.h5", "f.obj"}) {
         std::filesystem::create_directory(folder / name);
@@ -114,14 +112,14 @@ TEST(BadFile, FolderIsNoFile) {
                 refuses_with("f.obj"));
 }
 
-TEST(BadFile, UnknownExtensionIsRefusedWithThoseThatAreRead) {
+TEST(BadFile, UnknownExtensionIsRefusedWithTheKnownOnes) {
     const SmallGrooms folder;
     const std::string file = folder.file("groom.abc", "");
     EXPECT_THAT(expand_of(file), refuses_with("groom.abc", ".toml", ".hair", ".h5"));
     EXPECT_THAT(lancret({"info", file}), refuses_with("groom.abc", ".obj"));
 }
 
-TEST(BadFile, H5ThatIsNoCacheIsRefused) {
+TEST(BadFile, H5FileThatIsNotACacheIsRefused) {
     const SmallGrooms folder;
     const std::string bytes = read_bytes(folder.hair);
     for (const std::string& contents : {std::string(), bytes}) {
@@ -143,16 +141,16 @@ TEST(BadFile, ObjWithBadIndicesIsRefusedWithItsLine) {
 
 TEST(BadFile, ObjThatHairCannotGrowOnIsRefusedByName) {
     const SmallGrooms folder;
-    // Three vertices in a row: a triangle, but no area.
+    // Three collinear vertices: a triangle without area.
     const std::string line =
         folder.file("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
     EXPECT_THAT(lancret({"expand", folder.hair, "--scalp", line}),
                 refuses_with("line.obj", "area"));
-    // Vertices that no triangle uses.
+    // Vertices without triangles.
     const std::string points = folder.file("points.obj", "v 0 0 0\nv 1 0 0\n");
     EXPECT_THAT(lancret({"expand", folder.hair, "--scalp", points}),
                 refuses_with("points.obj"));
-    // A metre away from the hair: it cannot be the scalp of this groom.
+    // One metre away from the hair, so not the scalp of this groom.
     const std::string away =
         folder.file("away.obj", "v 0 0 100\nv 1 0 100\nv 0 1 100\nf 1 2 3\n");
     EXPECT_THAT(lancret({"expand", folder.hair, "--scalp", away}),

@@ -1,17 +1,16 @@
-// Grooms in TOML that say what cannot be: one line with the file's name and the line in
-// it.
+// Invalid grooms in TOML: each error is one line with the file and its line number.
 
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {
 namespace {
 
-/// What `lancret info` says of a groom with this text.
+/// `lancret info` on a groom with this text.
 CommandRun info_of(const SmallGrooms& folder, std::string_view text) {
     return lancret({"info", folder.file("g.toml", text)});
 }
 
-TEST(BadGroom, TypingErrorInAKeyIsNamedWithTheKeyMeant) {
+TEST(BadGroom, TypingErrorInAKeyIsNamedWithTheNearestKey) {
     const SmallGrooms folder;
     EXPECT_THAT(info_of(folder, "[guides]\n\nsegmets = 8\n"),
                 refuses_with("g.toml:3: ", "segmets", "segments", "[guides]"));
@@ -19,7 +18,7 @@ TEST(BadGroom, TypingErrorInAKeyIsNamedWithTheKeyMeant) {
                 refuses_with("g.toml:2: ", "curl_radios", "curl_radius"));
 }
 
-TEST(BadGroom, TypingErrorInATableIsNamedWithTheTableMeant) {
+TEST(BadGroom, TypingErrorInATableIsNamedWithTheNearestTable) {
     const SmallGrooms folder;
     EXPECT_THAT(info_of(folder, "[guidse]\nsegments = 8\n"),
                 refuses_with("g.toml:1: ", "guidse", "guides"));
@@ -29,43 +28,43 @@ TEST(BadGroom, TypingErrorInATableIsNamedWithTheTableMeant) {
 
 TEST(BadGroom, WrongTypeIsNamedWithItsLine) {
     const SmallGrooms folder;
-    const auto says = [&](const char* text, const char* key) {
+    const auto expect_error = [&](const char* text, const char* key) {
         EXPECT_THAT(info_of(folder, text), refuses_with("g.toml:2: ", key)) << text;
     };
-    says("[guides]\nsegments = 8.5\n", "segments");
-    says("[guides]\nfile = 3\n", "file");
-    says("[scene]\ngravity = [0, 1, nan]\n", "gravity");
-    says("[guides]\nmade = 3\n", "made");
+    expect_error("[guides]\nsegments = 8.5\n", "segments");
+    expect_error("[guides]\nfile = 3\n", "file");
+    expect_error("[scene]\ngravity = [0, 1, nan]\n", "gravity");
+    expect_error("[guides]\nmade = 3\n", "made");
     EXPECT_THAT(info_of(folder, "strands = 100\n"),
                 refuses_with("g.toml:1: ", "strands"));
 }
 
 TEST(BadGroom, ValueOutOfRangeIsNamedWithTheRange) {
     const SmallGrooms folder;
-    const auto says = [&](const char* text, const char* key, const char* bound) {
-        EXPECT_THAT(info_of(folder, text), refuses_with("g.toml:2: ", key, bound))
+    const auto expect_error = [&](const char* text, const char* key, const char* range) {
+        EXPECT_THAT(info_of(folder, text), refuses_with("g.toml:2: ", key, range))
             << text;
     };
-    says("[guides]\nsegments = 0\n", "segments", "1 and 200");
-    says("[strands]\ncount = 0\n", "count", "between 1 and");
-    says("[scene]\nmetres_per_unit = 0\n", "metres_per_unit", "between");
-    says("[material]\ncolour = [0, 2, 0]\n", "colour", "0 to 1");
-    says("[camera]\nview = [0, 0, 0]\n", "view", "zero");
-    says("[camera]\nposition = [0, 1e30, 0]\n", "position", "1e+09");
+    expect_error("[guides]\nsegments = 0\n", "segments", "1 and 200");
+    expect_error("[strands]\ncount = 0\n", "count", "between 1 and");
+    expect_error("[scene]\nmetres_per_unit = 0\n", "metres_per_unit", "between");
+    expect_error("[material]\ncolour = [0, 2, 0]\n", "colour", "0 to 1");
+    expect_error("[camera]\nview = [0, 0, 0]\n", "view", "zero");
+    expect_error("[camera]\nposition = [0, 1e30, 0]\n", "position", "1e+09");
 }
 
-TEST(BadGroom, PartingsThatAreNoLinesAreNamedWithTheirLine) {
+TEST(BadGroom, InvalidPartingsAreNamedWithTheirLine) {
     const SmallGrooms folder;
-    const auto says = [&](const char* text, const char* what) {
+    const auto expect_error = [&](const char* text, const char* what) {
         EXPECT_THAT(info_of(folder, text), refuses_with("g.toml:2: ", what)) << text;
     };
-    says("[[partings]]\npoints = [[0, 0, 0]]\n", "2 or more");
-    says("[[partings]]\npoints = [[0, 0, 0], [0, 1]]\n", "item 2");
-    says("[[partings]]\npoints = [[0, 0, 0], [0, nan, 1]]\n", "item 2");
-    says("[[partings]]\npoints = [[0, 0, 0], [0, 1e30, 1]]\n", "1e+09");
+    expect_error("[[partings]]\npoints = [[0, 0, 0]]\n", "2 or more");
+    expect_error("[[partings]]\npoints = [[0, 0, 0], [0, 1]]\n", "item 2");
+    expect_error("[[partings]]\npoints = [[0, 0, 0], [0, nan, 1]]\n", "item 2");
+    expect_error("[[partings]]\npoints = [[0, 0, 0], [0, 1e30, 1]]\n", "1e+09");
     EXPECT_THAT(info_of(folder, "[[partings]]\npoint = [[0, 0, 0], [0, 1, 1]]\n"),
                 refuses_with("g.toml:1: ", "points"));
-    says("\npartings = 3\n", "[[partings]]");
+    expect_error("\npartings = 3\n", "[[partings]]");
 }
 
 TEST(BadGroom, RegionsFromTwoPlacesOrNoneAreRefused) {
@@ -82,7 +81,7 @@ TEST(BadGroom, RegionsFromTwoPlacesOrNoneAreRefused) {
     EXPECT_THAT(lancret({"check", groom}), refuses_with("ids.txt:3: ", "3 strands"));
 }
 
-TEST(BadGroom, LimitsOfGuidesThatCannotBeAreNamedWithTheRange) {
+TEST(BadGroom, InvalidLimitsOfGuidesAreNamedWithTheRange) {
     const SmallGrooms folder;
     EXPECT_THAT(info_of(folder, "[strands]\nmax_distance = 0\n"),
                 refuses_with("g.toml:2: ", "max_distance", "between"));
@@ -115,7 +114,7 @@ TEST(BadGroom, ContradictionsAreRefused) {
                 refuses_with("g.toml:3: ", "target", "position"));
 }
 
-TEST(BadGroom, WhatIsNoTomlIsRefusedWithItsLine) {
+TEST(BadGroom, InvalidTomlIsRefusedWithItsLine) {
     const SmallGrooms folder;
     EXPECT_THAT(info_of(folder, "[guides\n"), refuses_with("g.toml:1: "));
     EXPECT_THAT(info_of(folder, read_bytes(folder.hair)), refuses_with("g.toml:1: "));
@@ -123,7 +122,7 @@ TEST(BadGroom, WhatIsNoTomlIsRefusedWithItsLine) {
                 refuses_with("g.toml:1: "));
 }
 
-TEST(BadGroom, NestingWithoutEndIsRefused) {
+TEST(BadGroom, DeepNestingIsRefused) {
     const SmallGrooms folder;
     EXPECT_THAT(info_of(folder, "x = " + std::string(1'000'000, '[')),
                 refuses_with("g.toml:1: "));
@@ -141,7 +140,7 @@ TEST(BadGroom, PictureThatCannotBeReadIsRefusedByName) {
     }
 }
 
-TEST(BadGroom, FilesOfAGroomAreSoughtBesideIt) {
+TEST(BadGroom, PathsStartFromTheFolderOfTheGroom) {
     const SmallGrooms folder;
     const std::string groom = folder.file("g.toml", "[guides]\nfile = 'none.hair'\n");
     EXPECT_THAT(lancret({"expand", groom}), refuses_with(folder.at("none.hair")));
@@ -149,7 +148,7 @@ TEST(BadGroom, FilesOfAGroomAreSoughtBesideIt) {
     EXPECT_THAT(lancret({"expand", odd}), refuses_with("lawn.obj"));
 }
 
-TEST(BadGroom, UnitsThatPutHairBeyondAnyPlaceAreRefused) {
+TEST(BadGroom, UnitsThatScaleHairBeyondTheLimitAreRefused) {
     const SmallGrooms folder;
     const std::string groom = folder.file(
         "g.toml", "[scene]\nmetres_per_unit = 1e6\n[guides]\nfile = 'away.hair'\n");

@@ -1,4 +1,4 @@
-// What a user may type wrong: one line, exit code 2, nothing written.
+// Invalid options: each is one line of error, exit code 2, and writes nothing.
 
 #include "tests/tools/small_grooms.h"
 
@@ -26,18 +26,18 @@ TEST(BadOption, MissingFileArgumentIsNamed) {
 
 TEST(BadOption, ValueOutOfRangeIsNamedWithItsOption) {
     const SmallGrooms folder;
-    const auto says = [&](const char* option, const char* value) {
+    const auto expect_error = [&](const char* option, const char* value) {
         EXPECT_THAT(lancret({"expand", folder.made, option, value}), refuses_with(option))
             << value;
     };
-    for (const char* count : {"0", "1e5"}) says("--strands", count);
-    for (const char* count : {"0"}) says("--segments", count);
-    for (const char* seed : {"-1", "18446744073709551616"}) says("--seed", seed);
-    for (const char* count : {"0", "5 %", "nan%", ""}) says("--guides", count);
-    says("--basis", "bezier");
+    for (const char* count : {"0", "1e5"}) expect_error("--strands", count);
+    for (const char* count : {"0"}) expect_error("--segments", count);
+    for (const char* seed : {"-1", "18446744073709551616"}) expect_error("--seed", seed);
+    for (const char* count : {"0", "5 %", "nan%", ""}) expect_error("--guides", count);
+    expect_error("--basis", "bezier");
 }
 
-TEST(BadOption, ThatAGuideCacheCannotFollowIsRefused) {
+TEST(BadOption, GuideOptionsAreRefusedForAGuideCache) {
     const SmallGrooms folder;
     const std::string cache = folder.at("g.h5");
     ASSERT_EQ(lancret({"fit", folder.hair, "--guides", "4", "-o", cache}).exit_code, 0);
@@ -47,13 +47,13 @@ TEST(BadOption, ThatAGuideCacheCannotFollowIsRefused) {
                 refuses_with("--segments", "g.h5"));
 }
 
-TEST(BadOption, UnknownBlendIsNamedWithThoseThereAre) {
+TEST(BadOption, UnknownBlendIsNamedWithTheKnownOnes) {
     const SmallGrooms folder;
     EXPECT_THAT(lancret({"expand", folder.made, "--blend", "mean"}),
                 refuses_with("--blend", "mean", "option1", "position"));
 }
 
-TEST(BadOption, SizeThatIsNoneIsNamed) {
+TEST(BadOption, InvalidSizeIsNamed) {
     const SmallGrooms folder;
     for (const char* size : {"64x64x3", "64 x 64", "4294967297x1", ""}) {
         EXPECT_THAT(
@@ -67,7 +67,7 @@ TEST(BadOption, SizeThatIsNoneIsNamed) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
-TEST(BadOption, MorePointsThanAnIndexCanCountAreRefusedAtOnce) {
+TEST(BadOption, MorePointsThanAnIndexCanHoldAreRefusedAtOnce) {
     const SmallGrooms folder;
     EXPECT_THAT(
         lancret({"expand", folder.made, "--strands", "100000000", "--intervals", "1000"}),

@@ -1,5 +1,5 @@
 #pragma once
-// Runs the built `lancret` as a user's shell does, and keeps what it said.
+// Runs the built `lancret` like a shell and captures its output.
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -21,12 +21,12 @@ extern "C" char** environ;
 namespace lancret {
 
 struct CommandRun {
-    int exit_code = -1;  ///< minus the signal where one ended it
+    int exit_code = -1;  ///< negative: the signal that ended it
     std::string out, err;
 };
 
-/// Runs `words`, the first of them a program, to its end; or, where `kill_after` is not
-/// zero, until it is killed that much later.
+/// Runs the program and arguments in `words`, and kills it after `kill_after` if that is
+/// not zero.
 inline CommandRun run_words(const std::vector<std::string>& words,
                             std::chrono::microseconds kill_after = {}) {
     const TemporaryFolder captured;
@@ -60,26 +60,27 @@ inline CommandRun run_words(const std::vector<std::string>& words,
     return run;
 }
 
-/// Runs `lancret` with `words` after it.
+/// Runs `lancret` with the arguments `words`.
 inline CommandRun lancret(std::vector<std::string> words) {
     words.insert(words.begin(), LANCRET_COMMAND);
     return run_words(words);
 }
 
-/// A run that ended with exit code 2, said nothing on stdout and one line on stderr:
-/// "lancret: ", then what `said` matches.
+/// Matches a run with exit code 2, an empty stdout and one line on stderr that begins
+/// with "lancret: " and matches `message`.
 inline testing::Matcher<const CommandRun&> refuses(
-    testing::Matcher<const std::string&> said) {
+    testing::Matcher<const std::string&> message) {
     using testing::AllOf, testing::Field, testing::StartsWith, testing::EndsWith;
     const auto one_line = testing::ResultOf(
         "lines", [](const std::string& s) { return std::ranges::count(s, '\n'); }, 1);
-    return AllOf(Field("exit code", &CommandRun::exit_code, 2),
-                 Field("stdout", &CommandRun::out, ""),
-                 Field("stderr", &CommandRun::err,
-                       AllOf(StartsWith("lancret: "), EndsWith("\n"), one_line, said)));
+    return AllOf(
+        Field("exit code", &CommandRun::exit_code, 2),
+        Field("stdout", &CommandRun::out, ""),
+        Field("stderr", &CommandRun::err,
+              AllOf(StartsWith("lancret: "), EndsWith("\n"), one_line, message)));
 }
 
-/// The same, for a line that holds each of `parts`.
+/// refuses, for a line that contains each of `parts`.
 template <class... Parts>
 testing::Matcher<const CommandRun&> refuses_with(const Parts&... parts) {
     return refuses(testing::AllOf(testing::HasSubstr(parts)...));

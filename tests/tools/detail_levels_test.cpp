@@ -1,4 +1,4 @@
-// Chunks and level of detail, as a user asks for them.
+// Chunks, adaptive points, density and level of detail.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ nlohmann::json json_of(const std::string& file) {
     return nlohmann::json::parse(read_bytes(file));
 }
 
-/// Of strands of n intervals and n + `more` points.
+/// The number of points of strands with n intervals and n + `more` points each.
 std::size_t points_of(const nlohmann::json& classes, std::size_t more) {
     std::size_t out = 0;
     for (const nlohmann::json& each : classes) {
@@ -24,7 +24,7 @@ std::size_t points_of(const nlohmann::json& classes, std::size_t more) {
     return out;
 }
 
-TEST(Chunks, ExpandGrowsAllOfThemAndKeepsNone) {
+TEST(Chunks, ExpandGrowsAndDiscardsThem) {
     const SmallGrooms folder;
     const std::string stats = folder.at("stats.json");
     const CommandRun run =
@@ -36,14 +36,14 @@ TEST(Chunks, ExpandGrowsAllOfThemAndKeepsNone) {
     EXPECT_EQ(json.at("strands"), 1000);
     EXPECT_EQ(json.at("chunks"), 16);  // 1000 / 64, rounded up
     EXPECT_EQ(json.at("points"), points_of(json.at("classes"), 3));
-    // 12 bytes of a place, 4 of an id, and where each chunk begins.
+    // 12 bytes per place, 4 per id, and the start of each chunk.
     EXPECT_EQ(json.at("bytes").at("places"), 12000);
     EXPECT_EQ(json.at("bytes").at("chunks"), 4000 + 17 * 4);
     EXPECT_THAT(lancret({"expand", folder.made, "--chunks", "-o", folder.at("a.hair")}),
                 refuses_with("--chunks", "-o"));
 }
 
-TEST(Chunks, CheckProvesTheirBoxes) {
+TEST(Chunks, CheckMeasuresTheirBoxes) {
     const SmallGrooms folder;
     const std::string report = folder.at("check.json");
     const CommandRun run =
@@ -57,7 +57,7 @@ TEST(Chunks, CheckProvesTheirBoxes) {
     EXPECT_GE(chunks.at("volume_over_true").at("mean"), 1);
 }
 
-TEST(Adapt, WritesStrandsOfTheirOwnNumbersOfPoints) {
+TEST(Adapt, WritesStrandsWithDifferentNumbersOfPoints) {
     const SmallGrooms folder;
     const std::string stats = folder.at("stats.json"), hair = folder.at("a.hair");
     const CommandRun run = lancret(
@@ -70,7 +70,7 @@ TEST(Adapt, WritesStrandsOfTheirOwnNumbersOfPoints) {
     EXPECT_EQ(read_hair(hair).points.size(), points_of(classes, 1));
 }
 
-TEST(Adapt, DoesNotWhereAllStrandsAreToBeAlike) {
+TEST(Adapt, CanBeDisabled) {
     const SmallGrooms folder;
     const std::string stats = folder.at("stats.json");
     const std::string toml = folder.file("alike.toml",
@@ -92,7 +92,7 @@ TEST(Adapt, DoesNotWhereAllStrandsAreToBeAlike) {
     expect_alike({"expand", toml});
 }
 
-TEST(Density, GrowsAsManyStrandsAsTheirRanksSay) {
+TEST(Density, GrowsStrandsByRank) {
     const SmallGrooms folder;
     const std::string stats = folder.at("stats.json");
     std::size_t expected = 0;
@@ -114,7 +114,7 @@ TEST(Density, GrowsAsManyStrandsAsTheirRanksSay) {
                 refuses_with("made.toml", "density"));
 }
 
-TEST(Density, PreviewTakesItAndALevelOfDetail) {
+TEST(Density, PreviewAcceptsItAndALevelOfDetail) {
     const SmallGrooms folder;
     const std::string stats = folder.at("stats.json"), png = folder.at("a.png");
     ASSERT_EQ(lancret({"preview", folder.made, "--strands", "2000", "--density", "0.1",
@@ -124,12 +124,12 @@ TEST(Density, PreviewTakesItAndALevelOfDetail) {
     const int strands = json_of(stats).at("strands");
     EXPECT_GT(strands, 100);
     EXPECT_LT(strands, 400);
-    // The whole picture has 32 x 32 pixels, so that one chunk's box has fewer.
+    // The picture has 32 x 32 pixels, so the box of one chunk has fewer.
     const CommandRun lod = lancret({"preview", folder.made, "--strands", "4000", "--lod",
                                     "0.5", "--stats", stats, "-o", png});
     ASSERT_EQ(lod.exit_code, 0) << lod.err;
     const int left = json_of(stats).at("strands");
-    EXPECT_LT(left, 512 * 1.1 + 5 * 23);  // five deviations of a count of 512
+    EXPECT_LT(left, 512 * 1.1 + 5 * 23);  // five standard deviations of a count of 512
     EXPECT_GT(left, 20);
     EXPECT_THAT(lancret({"preview", folder.made, "--lod", "1e-6", "-o", png}),
                 refuses_with("--lod"));

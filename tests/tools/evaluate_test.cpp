@@ -1,4 +1,4 @@
-// lancret evaluate as a user runs it.
+// lancret evaluate.
 
 #include <gtest/gtest.h>
 
@@ -34,13 +34,14 @@ TEST(Evaluate, JsonHasEveryFigureOfEveryBlend) {
             EXPECT_TRUE(blend.at(nlohmann::json::json_pointer(figure)).is_number())
                 << entry.name << figure;
         }
-        // The lawn's hairs are all the same, of 5 cm: what is left is the file's and
-        // the blend's round-off and how far a guide is off its strand.
+        EXPECT_TRUE(blend.at("code").is_string());
+        // All hairs of the lawn are the same, 5 cm long: the remaining error is round-off
+        // of file and blend and the distance of a guide from its strand.
         EXPECT_LT(blend["rms_over_length"]["p95"], 0.002 + 1e-5) << entry.name;
     }
 }
 
-TEST(Evaluate, NamedBlendsAloneAreEvaluatedEachOnce) {
+TEST(Evaluate, OnlyNamedBlendsAreEvaluatedEachOnce) {
     const SmallGrooms folder;
     const std::string file = folder.at("figures.json");
     const CommandRun run = lancret({"evaluate", "--blend", "position,option1,position",
@@ -52,7 +53,7 @@ TEST(Evaluate, NamedBlendsAloneAreEvaluatedEachOnce) {
     EXPECT_LT(run.out.find("position "), run.out.rfind("option1 "));
 }
 
-TEST(Evaluate, FiguresAreTheSameEachTimeButForTheCost) {
+TEST(Evaluate, AllFiguresButTheCostAreReproducible) {
     const SmallGrooms folder;
     const auto figures = [&](const std::string& seed) {
         const std::string file = folder.at("figures.json");
@@ -78,7 +79,7 @@ TEST(Evaluate, ReadsAGroomWithItsScalp) {
     EXPECT_EQ(run.exit_code, 0) << run.err;
 }
 
-TEST(Evaluate, StripIsAPictureOfOnePanelForTheTruthAndEachBlend) {
+TEST(Evaluate, StripHasOnePanelForTheTruthAndEachBlend) {
     const SmallGrooms folder;
     const std::string file = folder.at("strip.png");
     const CommandRun run =
@@ -87,13 +88,13 @@ TEST(Evaluate, StripIsAPictureOfOnePanelForTheTruthAndEachBlend) {
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const std::string bytes = read_bytes(file);
     ASSERT_GT(bytes.size(), 24u);
-    // A PNG's header has the size from byte 16 on, big end first.
+    // A PNG header has the size from byte 16 on, big-endian.
     EXPECT_EQ(bytes.substr(1, 3), "PNG");
     EXPECT_EQ(static_cast<unsigned char>(bytes[19]), 3 * 24);
     EXPECT_EQ(static_cast<unsigned char>(bytes[23]), 30);
 }
 
-TEST(Evaluate, UnknownBlendIsNamedWithThoseThereAre) {
+TEST(Evaluate, UnknownBlendIsNamedWithTheKnownOnes) {
     const SmallGrooms folder;
     EXPECT_THAT(lancret({"evaluate", folder.hair, "--blend", "option1,mean"}),
                 refuses_with("--blend", "'mean'", "option1", "position"));
@@ -119,7 +120,7 @@ TEST(Evaluate, NothingToPredictIsRefused) {
                 refuses_with("--guides"));
 }
 
-TEST(Evaluate, GuidesAloneAreNoGroomToLeaveOutFrom) {
+TEST(Evaluate, GuidesWithoutStrandsAreRefused) {
     const SmallGrooms folder;
     const std::string cache = folder.at("g.h5");
     ASSERT_EQ(lancret({"fit", folder.hair, "--guides", "4", "-o", cache}).exit_code, 0);
@@ -144,16 +145,16 @@ TEST(Evaluate, OutputsThatCannotBeWrittenAreRefusedBeforeAnyWork) {
 
 TEST(Evaluate, ValueOutOfRangeIsNamedWithItsOption) {
     const SmallGrooms folder;
-    const auto says = [&](const char* option, const char* value) {
+    const auto expect_error = [&](const char* option, const char* value) {
         EXPECT_THAT(lancret({"evaluate", folder.hair, option, value}),
                     refuses_with(option))
             << value;
     };
-    says("--seed", "-1");
-    says("--segments", "0");
-    says("--guides", "0");
-    says("--size", "64");
-    says("--samples", "0");
+    expect_error("--seed", "-1");
+    expect_error("--segments", "0");
+    expect_error("--guides", "0");
+    expect_error("--size", "64");
+    expect_error("--samples", "0");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Caches of several frames: which frame is shown, proved and written.
+// Caches of several frames: which frame is rendered, checked and written.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ nlohmann::json json_of(const std::string& file) {
     return nlohmann::json::parse(read_bytes(file));
 }
 
-/// made.toml, and cache.h5: its guides in three frames, 11 to 13, bent more in each.
+/// made.toml, and cache.h5 with its guides in frames 11 to 13, bent more in each.
 struct Bent : SmallGrooms {
     std::string cache = at("cache.h5");
     Guides rest;
@@ -63,7 +63,7 @@ TEST(Frames, PreviewWritesEachFrameByItsNumber) {
     ASSERT_EQ(stats["frames"].size(), 3u);
     EXPECT_EQ(stats["frames"][1]["frame"], 12);
     EXPECT_EQ(stats["frames"][1]["image"], f.at("a.0012.png"));
-    // A frame alone is the same picture: camera and binding do not depend on the range.
+    // A single frame is the same picture: camera and binding do not depend on the range.
     ASSERT_THAT(f.preview({"--frame", "13", "-o", f.at("alone.png")}), works());
     EXPECT_EQ(read_bytes(f / "alone.png"), last);
     // Without an option, the first frame.
@@ -71,13 +71,13 @@ TEST(Frames, PreviewWritesEachFrameByItsNumber) {
     EXPECT_EQ(read_bytes(f / "default.png"), first);
 }
 
-TEST(Frames, ATurntableGoesRoundOneGrowth) {
+TEST(Frames, ATurntableGrowsStrandsOnce) {
     const Bent f;
     ASSERT_THAT(f.preview({"--frame", "12", "--turntable", "3", "-o", f.at("t.##.png"),
                            "--stats", f.at("t.json")}),
                 works());
     ASSERT_THAT(f.preview({"--frame", "12", "-o", f.at("front.png")}), works());
-    // The first view is that of no turntable; the others see another side.
+    // The first view is the one without a turntable; the others show other sides.
     EXPECT_EQ(read_bytes(f / "t.01.png"), read_bytes(f / "front.png"));
     EXPECT_NE(read_bytes(f / "t.02.png"), read_bytes(f / "t.01.png"));
     EXPECT_NE(read_bytes(f / "t.03.png"), read_bytes(f / "t.02.png"));
@@ -116,7 +116,7 @@ TEST(Frames, AProgressivePictureEndsInTheSameBytes) {
     EXPECT_GT(stats["rays"], 0);
 }
 
-TEST(Frames, NumbersGoWhereThePatternIs) {
+TEST(Frames, NumbersReplaceThePattern) {
     const Bent f;
     const auto writes = [&](const char* frames, const char* output, const char* file) {
         const CommandRun run =
@@ -131,7 +131,7 @@ TEST(Frames, NumbersGoWhereThePatternIs) {
     EXPECT_TRUE(writes("12", "#.png", "12.png"));
 }
 
-TEST(Frames, AFrameThatIsNotThereIsAnErrorThatSaysWhichAre) {
+TEST(Frames, AMissingFrameIsAnErrorThatListsTheFrames) {
     const Bent f;
     const std::string png = f.at("a.png");
     EXPECT_THAT(f.preview({"--frame", "10", "-o", png}),
@@ -142,7 +142,7 @@ TEST(Frames, AFrameThatIsNotThereIsAnErrorThatSaysWhichAre) {
                 refuses_with("no frame 14; it has frames 11 to 13"));
     EXPECT_THAT(lancret({"expand", f.cache, "--frame", "0"}), refuses_with("no frame 0"));
     EXPECT_THAT(lancret({"preview", f.made, "--frame", "1", "-o", png}),
-                refuses_with("--frame", "made.toml is no cache"));
+                refuses_with("--frame", "made.toml is not a guide cache"));
     for (const char* text : {"13-12", "a", "1-", "1-2-3", "99999999999", "1 -2"}) {
         EXPECT_THAT(f.preview({"--frames", text, "-o", png}),
                     refuses_with("--frames", text));
@@ -155,7 +155,7 @@ TEST(Frames, ExpandGrowsTheFrameOnTheRootsOfTheRest) {
     const Bent f;
     const auto strands = [&](const std::string& input, const std::string& frame) {
         const std::string hair = f.at("out.hair");
-        // Left alone, a cache is measured at all of its frames, the rest pose at itself.
+        // Without --intervals they differ: a cache is measured at all of its frames.
         std::vector<std::string> words{"expand", input, "-o", hair, "--intervals", "48"};
         if (!frame.empty()) words.insert(words.end(), {"--frame", frame});
         EXPECT_THAT(lancret(words), works());
@@ -171,7 +171,7 @@ TEST(Frames, ExpandGrowsTheFrameOnTheRootsOfTheRest) {
         EXPECT_EQ(last.strand(i).front(), rest.strand(i).front());
         moved += double((last.strand(i).back() - first.strand(i).back()).norm());
     }
-    // Tips of hairs of 30 cm, bent by another 0.045 / cm: far more than a centimetre.
+    // Tips of hairs of 30 cm, bent by another 0.045 / cm, move far more than 1 cm.
     EXPECT_GT(moved / 60, 1);
     EXPECT_EQ(strands(f.cache, "11").points, first.points);
 }
@@ -192,7 +192,7 @@ TEST(Frames, BetweenFramesHairIsBetween) {
     const auto a = tips("12"), b = tips("12.25"), c = tips("13");
     const float whole = (c - a).colwise().norm().mean(),
                 part = (b - a).colwise().norm().mean();
-    // Guides bend evenly more: a quarter of the way, but for the arcs that tips go on.
+    // The bend increases evenly: a quarter of the way, except that tips move on arcs.
     EXPECT_GT(part, 0.2f * whole);
     EXPECT_LT(part, 0.35f * whole);
     EXPECT_THAT(lancret({"check", f.cache, "--frame", "12.25", "--distance", "1"}),
@@ -211,11 +211,11 @@ TEST(Frames, BetweenFramesHairIsBetween) {
 
 TEST(Frames, AShutterBlursWhatMoves) {
     const Bent f;
-    const auto picture = [&](std::vector<std::string> words, const char* said) {
+    const auto picture = [&](std::vector<std::string> words, const char* message) {
         words.insert(words.end(), {"-o", f.at("a.png"), "--stats", f.at("stats.json")});
         const CommandRun run = f.preview(words);
         EXPECT_THAT(run, works());
-        EXPECT_THAT(run.err, HasSubstr(said));
+        EXPECT_THAT(run.err, HasSubstr(message));
         return read_bytes(f / "a.png");
     };
     const auto times = [&] {
@@ -227,10 +227,10 @@ TEST(Frames, AShutterBlursWhatMoves) {
         {"--frame", "12", "--shutter", "-0.25,0.25", "--motion-samples", "5"}, "");
     EXPECT_EQ(times(), (std::vector<double>{11.75, 11.875, 12, 12.125, 12.25}));
     EXPECT_NE(blurred, still);
-    // A shutter that opens and closes at once is none.
+    // An empty shutter interval is no shutter.
     EXPECT_EQ(picture({"--frame", "12", "--shutter", "0,0"}, ""), still);
     EXPECT_EQ(times(), std::vector<double>{12});
-    // Where the cache ends, so does the shutter.
+    // The shutter is clipped to the cache.
     picture({"--frame", "13", "--shutter", "-0.5,0.5"},
             "warning: frame 13: the cache has frames 11 to 13, and the shutter is cut "
             "to 12.5 to 13");
@@ -244,7 +244,7 @@ TEST(Frames, AShutterBlursWhatMoves) {
                 refuses_with("--shutter: the groom is no cache"));
 }
 
-TEST(Frames, CheckTellsHowFarChildrenMoveBesideTheirGuides) {
+TEST(Frames, CheckReportsHowFarChildrenMoveComparedWithTheirGuides) {
     const Bent f;
     const std::string json = f.at("check.json");
     const CommandRun run =
@@ -258,10 +258,10 @@ TEST(Frames, CheckTellsHowFarChildrenMoveBesideTheirGuides) {
     EXPECT_THAT(run.out, HasSubstr("child's step over its guides'"));
 }
 
-TEST(Frames, CheckProvesEveryFrameAndNamesTheWorst) {
+TEST(Frames, CheckMeasuresEveryFrameAndNamesTheWorst) {
     const Bent f;
     const std::string json = f.at("check.json");
-    // Guides of six segments bend sharply at their joints: another tolerance in cm.
+    // Guides of six segments bend sharply at their joints and need a larger tolerance.
     const CommandRun run = lancret({"check", f.cache, "--json", json, "--distance", "1"});
     ASSERT_THAT(run, works());
     EXPECT_THAT(run.out, HasSubstr("PASS: all 3 frames keep every tolerance"));
@@ -270,11 +270,11 @@ TEST(Frames, CheckProvesEveryFrameAndNamesTheWorst) {
     ASSERT_EQ(report["frames"].size(), 3u);
     EXPECT_EQ(report["frames"][2]["frame"], 13);
     const double largest = report["worst_over_frames"]["length"]["max_relative_error"];
-    double by_hand = 0;
+    double expected = 0;
     for (const auto& frame : report["frames"])
-        by_hand = std::max<double>(by_hand, frame["length"]["max_relative_error"]);
-    EXPECT_EQ(largest, by_hand);
-    // Reading puts the rest roots on the scalp again: round-off of doubles of some 15 cm.
+        expected = std::max<double>(expected, frame["length"]["max_relative_error"]);
+    EXPECT_EQ(largest, expected);
+    // Reading projects the rest roots onto the scalp: round-off of doubles of 15 cm.
     EXPECT_LE(report["worst_over_frames"]["guides"]["root_cm"]["max"], 1e-13);
     ASSERT_THAT(
         lancret({"check", f.cache, "--frames", "12", "--json", json, "--distance", "1"}),
@@ -302,7 +302,7 @@ TEST(Frames, CheckFindsTheFrameWhoseGuidesLeaveTheScalp) {
     EXPECT_NEAR(root["max"], 0.5, 1e-9);
 }
 
-TEST(Frames, AFrameOfARunUnderWayIsACacheByItself) {
+TEST(Frames, AFrameOfAnUnfinishedRunIsACache) {
     const Bent f;
     FrameStore store(f.at("run.h5"), {24, 1, f.made}, "run", f.rest);
     store.add(f.at_frame(3), {{"rates", {1, 2}}});
@@ -314,7 +314,7 @@ TEST(Frames, AFrameOfARunUnderWayIsACacheByItself) {
     EXPECT_THAT(info.out, HasSubstr("a simulation can continue from the last frame"));
 }
 
-TEST(Frames, InfoTellsFramesRateAndGroom) {
+TEST(Frames, InfoPrintsFramesRateAndGroom) {
     const Bent f;
     const std::string json = f.at("info.json");
     const CommandRun info = lancret({"info", f.cache, "--stats", json});

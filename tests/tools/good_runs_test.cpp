@@ -1,5 +1,5 @@
-// What each subcommand makes of a groom that is right: files that read back, figures that
-// are those of the groom.
+// Each subcommand on a valid groom: its files can be read back and its figures are those
+// of the groom.
 
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -22,7 +22,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A run that did what it was asked, without a word of complaint.
+/// A run that succeeded and printed nothing on stderr.
 testing::Matcher<const CommandRun&> works() {
     return testing::AllOf(testing::Field("exit code", &CommandRun::exit_code, 0),
                           testing::Field("stderr", &CommandRun::err, ""));
@@ -39,16 +39,16 @@ TEST(Preview, PngShowsHairOnTheBackground) {
     const Texture picture = read_colour_map(png);
     ASSERT_EQ(picture.width, 32);
     ASSERT_EQ(picture.height, 32);
-    // The corners show the background, 0.18, within the half step of an 8-bit code there:
-    // the slope of linear by code is below 2.4 * 0.46^1.4 / 1.055 < 0.8, over 510.
+    // The corners show the background, 0.18, to half a step of the 8-bit code: the slope
+    // of the linear value over the code is below 2.4 * 0.46^1.4 / 1.055 < 0.8, over 510.
     for (const std::size_t corner : {0u, 31u, 31u * 32u, 32u * 32u - 1u})
         EXPECT_NEAR(picture.texels[corner].x(), 0.18, 0.8 / 510) << corner;
-    // The middle does not: black hair is darker, the head's skin redder.
+    // The middle does not: black hair is darker, and the skin of the head is redder.
     const Vec3f middle = picture.texels[16 * 32 + 16];
     EXPECT_GT((middle - Vec3f::Constant(0.18f)).norm(), 0.02);
 }
 
-TEST(Preview, ExrHasItsLayersOfTheSize) {
+TEST(Preview, ExrHasAllLayersInTheRequestedSize) {
     const SmallGrooms folder;
     const std::string exr = folder.at("a.exr");
     const std::string wide = folder.file(
@@ -85,7 +85,7 @@ TEST(Preview, ExrHasItsLayersOfTheSize) {
     std::size_t of_strands = 0, of_mesh = 0;
     for (std::size_t i = 0; i < id.size(); ++i) {
         of_mesh += id[i] == kMeshId;
-        of_strands += id[i] < 60;  // there are 60, a millimetre wide to be seen
+        of_strands += id[i] < 60;  // of 60 strands, one millimetre wide
         EXPECT_TRUE(id[i] < 60 || id[i] >= kMeshId) << id[i];
         EXPECT_TRUE(depth[i] > 0 || id[i] == kNothingId);
     }
@@ -93,7 +93,7 @@ TEST(Preview, ExrHasItsLayersOfTheSize) {
     EXPECT_GT(of_strands, 0u);
 }
 
-TEST(Preview, ADeepPictureLiesBesideTheFlatOneForEachFrameOrView) {
+TEST(Preview, WritesADeepPictureForEachFrameOrView) {
     const SmallGrooms folder;
     ASSERT_THAT(lancret({"preview", folder.made, "-o", folder.at("a.##.png"), "--deep",
                          folder.at("d.##.exr"), "--turntable", "2", "--size", "16x12",
@@ -107,7 +107,7 @@ TEST(Preview, ADeepPictureLiesBesideTheFlatOneForEachFrameOrView) {
     }
 }
 
-TEST(Preview, DenoisingChangesColourAndNothingElse) {
+TEST(Preview, DenoisingChangesHairButNotTheBackground) {
     const SmallGrooms folder;
     const auto picture = [&](const char* name, std::vector<std::string> more) {
         std::vector<std::string> words{"preview",       folder.made, "-o",
@@ -120,12 +120,12 @@ TEST(Preview, DenoisingChangesColourAndNothingElse) {
     const Texture before = picture("a.png", {});
     const Texture after = picture("b.png", {"--denoise"});
     EXPECT_NE(before.texels, after.texels);
-    // The corners show the background alone.
+    // The corners show only the background.
     for (const std::size_t corner : {0u, 15u, 11u * 16u})
         EXPECT_EQ(before.texels[corner], after.texels[corner]);
 }
 
-TEST(Preview, StatsTellTimesCountsAndBytes) {
+TEST(Preview, StatsHaveTimesCountsAndBytes) {
     const SmallGrooms folder;
     const std::string json = folder.at("s.json");
     ASSERT_THAT(lancret({"preview", folder.made, "-o", folder.at("a.png"), "--intervals",
@@ -139,14 +139,14 @@ TEST(Preview, StatsTellTimesCountsAndBytes) {
     EXPECT_EQ(stats.at("strands"), 60);
     EXPECT_EQ(stats.at("guides"), 40);
     EXPECT_EQ(stats.at("points"), 60 * 13);  // a B-spline of n intervals has n + 3
-    // And the id of each, as strands stand chunk after chunk.
+    // Strands are stored chunk by chunk, so each has its id besides.
     EXPECT_EQ(stats.at("bytes").at("curves"), 60 * 13 * 16 + 60 * 10 * 4 + 60 * 4);
     EXPECT_GT(stats.at("bytes").at("bvh"), 0);
     EXPECT_GT(stats.at("peak_rss"), 1'000'000);
     EXPECT_EQ(stats.at("image").at("width"), 32);
 }
 
-TEST(Check, JsonTellsEveryFigure) {
+TEST(Check, JsonHasEveryFigure) {
     const SmallGrooms folder;
     const std::string file = folder.at("r.json");
     const CommandRun run = lancret({"check", folder.made, "--json", file});
@@ -156,14 +156,14 @@ TEST(Check, JsonTellsEveryFigure) {
     EXPECT_EQ(report.at("strands"), 60);
     EXPECT_EQ(report.at("pass"), true);
     EXPECT_EQ(report.at("failed"), 0);
-    // The goals of the check itself.
+    // The default tolerances of the check.
     EXPECT_LE(report.at("orthogonality").at("max"), 1e-6);
     EXPECT_LE(report.at("length").at("max_relative_error"), 1e-5);
     EXPECT_EQ(report.at("worst").size(), 10u);
     EXPECT_EQ(report.at("blend"), "detail");
 }
 
-TEST(Check, FailsWhereABlendShortensCurls) {
+TEST(Check, FailsIfABlendShortensCurls) {
     const SmallGrooms folder;
     const std::string file = folder.at("r.json");
     const CommandRun run =
@@ -177,7 +177,7 @@ TEST(Check, FailsWhereABlendShortensCurls) {
     EXPECT_GT(report.at("length").at("max_relative_error"), 1e-5);
 }
 
-TEST(Check, FailsWhereATestedToleranceIsZero) {
+TEST(Check, FailsIfAToleranceIsZero) {
     const SmallGrooms folder;
     EXPECT_EQ(lancret({"check", folder.made, "--distance", "0"}).exit_code, 1);
 }
@@ -204,16 +204,16 @@ TEST(Expand, HairReadsBackWithPointsOnTheStrands) {
     const Strands strands = read_hair(file);
     ASSERT_EQ(strands.size(), 50u);
     EXPECT_EQ(strands.points.size(), 50u * 65u);
-    // All guides are one curve moved about, so a child is as long as each of them. The
-    // hairs of the lawn turn by 9 radians at a radius of 0.2 cm while they rise 5 cm;
-    // their points are on that helix. The fit moves the length by less than its own
-    // distance from the points; 1 % is asked of it here. Chords of 64 steps are shorter
-    // than the arc by (9/64)^2 / 24 < 0.1 % at most.
+    // All guides are translated copies of one curve, so a child is as long as each of
+    // them. The hairs of the lawn turn by 9 radians at a radius of 0.2 cm while they rise
+    // 5 cm, with their points on that helix. The fit changes the length by less than its
+    // distance from the points; 1 % is allowed here. Chords of 64 steps are shorter than
+    // the arc by at most (9/64)^2 / 24 < 0.1 %.
     const double guide = std::hypot(5, 9 * 0.2);
     for (const double length : lengths_of(strands))
         EXPECT_NEAR(length, guide, 0.011 * guide);
     for (std::size_t i = 0; i < strands.size(); ++i) {
-        // Roots lie on the square [0, 4]^2 at z = 0, to rounding.
+        // Roots lie on the square [0, 4]^2 at z = 0, up to round-off.
         const Vec3f root = strands.strand(i).front();
         EXPECT_NEAR(root.z(), 0, 1e-6);
         EXPECT_GE(root.head<2>().minCoeff(), 0);
@@ -221,7 +221,7 @@ TEST(Expand, HairReadsBackWithPointsOnTheStrands) {
     }
 }
 
-TEST(Expand, TextHasFourNumbersALineAndABlankLineBetweenStrands) {
+TEST(Expand, TextHasFourNumbersPerLineAndABlankLineBetweenStrands) {
     const SmallGrooms folder;
     const std::string file = folder.at("c.txt");
     ASSERT_THAT(lancret({"expand", folder.made, "--intervals", "5", "-o", file}),
@@ -236,7 +236,7 @@ TEST(Expand, TextHasFourNumbersALineAndABlankLineBetweenStrands) {
         std::istringstream numbers(line);
         double x, y, z, r;
         ASSERT_TRUE(numbers >> x >> y >> z >> r) << line;
-        // Half the default widths, linear; the outermost control points lie an interval
+        // Half the default widths, linear; the outermost control points lie one interval
         // beyond root and tip.
         EXPECT_GE(r, 0.002 - 0.002 / 5 - 1e-9);
         EXPECT_LE(r, 0.004 + 0.002 / 5 + 1e-9);
@@ -265,7 +265,7 @@ TEST(ExpandAndPreview, SameBytesOnOneCoreAsOnAll) {
     both(".exr", {"preview", folder.made, "-o"});
 }
 
-TEST(Expand, SeedDecidesTheBytes) {
+TEST(Expand, DependsOnTheSeed) {
     const SmallGrooms folder;
     const auto bytes = [&](const char* seed) {
         const std::string file = folder.at("c.hair");
@@ -278,7 +278,7 @@ TEST(Expand, SeedDecidesTheBytes) {
     EXPECT_NE(bytes("18446744073709551615"), zero);
 }
 
-TEST(Fit, CacheHoldsTheGuidesAndCanBeUsedAsAGroom) {
+TEST(Fit, CacheContainsTheGuidesAndCanBeUsedAsAGroom) {
     const SmallGrooms folder;
     const std::string cache = folder.at("g.h5");
     const CommandRun fit =
@@ -295,17 +295,17 @@ TEST(Fit, CacheHoldsTheGuidesAndCanBeUsedAsAGroom) {
                          "--size", "16x16", "--samples", "1", "-o", png}),
                 works());
     EXPECT_EQ(read_colour_map(png).width, 16);
-    EXPECT_THAT(lancret({"fit", cache}), refuses_with("g.h5", "guides already"));
+    EXPECT_THAT(lancret({"fit", cache}), refuses_with("g.h5", "contains guides"));
 }
 
-TEST(Fit, ShareOfTheStrandsBecomesGuides) {
+TEST(Fit, PercentageOfTheStrandsBecomesGuides) {
     const SmallGrooms folder;
     const CommandRun run = lancret({"fit", folder.hair, "--guides", "20%"});
     ASSERT_THAT(run, works());
     EXPECT_THAT(run.out, HasSubstr("5 guides of"));
 }
 
-TEST(Info, TellsWhatIsInEachKindOfFile) {
+TEST(Info, DescribesEachKindOfFile) {
     const SmallGrooms folder;
     const CommandRun hair = lancret({"info", folder.hair});
     ASSERT_THAT(hair, works());
@@ -317,7 +317,7 @@ TEST(Info, TellsWhatIsInEachKindOfFile) {
     EXPECT_THAT(obj.out, HasSubstr("area: 16 cm^2"));
     const CommandRun made = lancret({"info", folder.made});
     ASSERT_THAT(made, works());
-    EXPECT_THAT(made.out, HasSubstr("60 children by blend detail"));
+    EXPECT_THAT(made.out, HasSubstr("60 children, blend detail"));
     const std::string cache = folder.at("g.h5");
     ASSERT_THAT(lancret({"fit", folder.hair, "-o", cache, "--segments", "5"}), works());
     const CommandRun guides = lancret({"info", cache});

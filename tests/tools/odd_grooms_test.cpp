@@ -1,12 +1,12 @@
-// Grooms that are right but unlike what anyone drew: every strand still passes the check,
-// or the run says what is wrong.
+// Valid but unusual grooms: every strand passes the check, or the run reports what is
+// wrong.
 
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {
 namespace {
 
-/// The check of `groom` with these options, which must pass.
+/// Expects `lancret check` to pass for `groom` with these options.
 void expect_pass(const std::string& groom, std::vector<std::string> options) {
     options.insert(options.begin(), {"check", groom});
     const CommandRun run = lancret(options);
@@ -37,7 +37,7 @@ TEST_F(OddGroom, OfStraightStrandsOfTwoPointsPasses) {
                 {"--scalp", folder.obj, "--strands", "30"});
 }
 
-TEST_F(OddGroom, OfEqualStrandsPassesWithoutAScalpAndNamesTheReachWithOne) {
+TEST_F(OddGroom, OfEqualStrandsPassesWithoutAScalpAndNamesTheDistanceWithOne) {
     Strands strands =
         straight_hairs(std::vector<Vec3f>(9, Vec3f(1, 1, 0)), Vec3f(1, 0, 4), 5);
     const std::string same = hair(strands);
@@ -48,7 +48,7 @@ TEST_F(OddGroom, OfEqualStrandsPassesWithoutAScalpAndNamesTheReachWithOne) {
 
 TEST_F(OddGroom, OfAMicrometreOrFarFromTheOriginPasses) {
     expect_pass(hair(curled_lawn(3, 1e-4f, 1e-4f)), {"--strands", "9"});
-    // Where floats are 64 apart, hairs as long as streets.
+    // Floats are 64 apart here, so the hairs must be very long.
     const std::vector<Vec3f> roots{{9e8f, 9e8f, 9e8f}, {9.1e8f, 9e8f, 9e8f}};
     const std::string far = hair(straight_hairs(roots, Vec3f(0, 0, 6400), 5));
     const std::string png = folder.at("far.png");
@@ -69,7 +69,7 @@ TEST_F(OddGroom, InMetresWithZUpIsReadInCentimetres) {
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Strands strands = read_hair(out);
     ASSERT_EQ(strands.size(), 40u);
-    // Five centimetres of rise, of which the fit keeps all but 2 %, on a square of four.
+    // Hairs rise by 5 cm, of which the fit loses at most 2 %, on a square of 4 cm.
     for (std::size_t i = 0; i < strands.size(); ++i) {
         const auto points = strands.strand(i);
         EXPECT_NEAR(points.back().z() - points.front().z(), 5, 0.1);
@@ -78,7 +78,7 @@ TEST_F(OddGroom, InMetresWithZUpIsReadInCentimetres) {
     expect_pass(groom, {});
 }
 
-TEST_F(OddGroom, TakesMoreGuidesThanThereAreAsAll) {
+TEST_F(OddGroom, UsesAllStrandsIfMoreGuidesAreRequested) {
     const CommandRun run = lancret({"fit", folder.hair, "--guides", "1000"});
     EXPECT_THAT(run.out, testing::HasSubstr("25 guides of"));
 }
@@ -90,7 +90,7 @@ TEST_F(OddGroom, OnAScalpWithTrianglesOfNoAreaPasses) {
     expect_pass(folder.hair, {"--scalp", obj, "--strands", "50", "--guides", "1"});
 }
 
-TEST_F(OddGroom, OffItsScalpTellsHowFarRootsWereMoved) {
+TEST_F(OddGroom, OffItsScalpReportsHowFarRootsWereMoved) {
     const std::string obj = folder.file(
         "near.obj", "v 0 0 .5\nv 4 0 .5\nv 4 4 .5\nv 0 4 .5\nf 1 2 3\nf 1 3 4\n");
     const CommandRun run =
@@ -101,7 +101,7 @@ TEST_F(OddGroom, OffItsScalpTellsHowFarRootsWereMoved) {
 }
 
 TEST_F(OddGroom, MuchLongerThanItsGuidesKeepsItsLength) {
-    // Ten times the guides' length at the same curvature: ten times the turns.
+    // Ten times the guides' length at the same curvature has ten times the turns.
     const std::string groom = folder.file(
         "long.toml",
         "[guides]\nfile = 'lawn.hair'\n[strands]\ncount = 25\nlength_scale = 10\n");

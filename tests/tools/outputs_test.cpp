@@ -9,9 +9,9 @@
 namespace lancret {
 namespace {
 
-/// One run for each option that names a file to write.
+/// A command whose last option names a file to write.
 struct Writer {
-    std::vector<std::string> words;  ///< before the file's name
+    std::vector<std::string> words;  ///< without the file's name
     std::string extension;
 };
 
@@ -41,8 +41,8 @@ TEST(Output, IntoAMissingFolderIsRefused) {
     }
 }
 
-TEST(Output, IntoAFolderThatTakesNoFilesIsRefused) {
-    // Where nobody, root neither, can make a file.
+TEST(Output, IntoAFolderWithoutWriteAccessIsRefused) {
+    // Not even root can create a file in /proc.
     if (!std::filesystem::is_directory("/proc/self")) GTEST_SKIP() << "needs /proc";
     const SmallGrooms folder;
     const std::size_t files = folder.files();
@@ -76,7 +76,7 @@ TEST(Output, OfAWrongExtensionIsRefusedWithTheRightOnes) {
     EXPECT_EQ(folder.files(), files);
 }
 
-TEST(Output, WhatCannotBeMadeOfAPictureIsRefusedBeforeItIsRendered) {
+TEST(Output, InvalidOutputsOfAPictureAreRefusedBeforeRendering) {
     const SmallGrooms folder;
     const std::size_t files = folder.files();
     const std::string flat = folder.at("flat.exr");
@@ -95,7 +95,7 @@ TEST(Output, WhatCannotBeMadeOfAPictureIsRefusedBeforeItIsRendered) {
     EXPECT_EQ(folder.files(), files);
 }
 
-TEST(Output, StaysAsItWasWhenTheRunFails) {
+TEST(Output, IsUnchangedIfTheRunFails) {
     const SmallGrooms folder;
     const std::string groom = folder.file("bad.hair", "HAIR and nothing");
     const std::string old = "written by an earlier run";
@@ -126,8 +126,8 @@ TEST(Output, CannotBeTheOtherOutput) {
     EXPECT_EQ(folder.files(), files);
 }
 
-TEST(Output, OfAFitNamesTheGroomThatPreviewThenFinds) {
-    // The groom asks for 60 children on its own scalp; the cache alone has 40 roots.
+TEST(Output, OfAFitNamesTheGroom) {
+    // The groom sets 60 children on its scalp; without it the cache has 40 roots.
     const SmallGrooms folder;
     const std::string cache = folder.at("guides.h5");
     ASSERT_EQ(lancret({"fit", folder.made, "-o", cache}).exit_code, 0);

@@ -1,4 +1,4 @@
-// Where a preview has its strands from: the library that is loaded, and nothing else.
+// A preview takes its strands only from the loaded library.
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// An environment variable as long as it lives.
+/// Sets an environment variable during its lifetime.
 class Variable {
   public:
     Variable(const char* name, const std::string& value) : name_(name) {
@@ -33,7 +33,7 @@ std::vector<std::string> words_of(const SmallGrooms& folder) {
             "-o",      folder.at("a.exr")};
 }
 
-TEST(PreviewPlugin, PicturesShowWhatTheLibraryGivesAndNothingElse) {
+TEST(PreviewPlugin, PicturesShowOnlyTheStrandsOfTheLibrary) {
     const SmallGrooms folder;
     const Variable other("LANCRET_LIBRARY", OTHER_PLUGIN);
     const CommandRun run = lancret(words_of(folder));
@@ -47,8 +47,8 @@ TEST(PreviewPlugin, PicturesShowWhatTheLibraryGivesAndNothingElse) {
     std::set<std::uint32_t> seen(layers.id.begin(), layers.id.end());
     seen.erase(kNothingId);
     EXPECT_EQ(seen, (std::set<std::uint32_t>{1000, 1001, 1002}));
-    // Three posts of 1 x 10 cm in a picture that holds 5 x 10 cm with a margin of 1.15,
-    // seen a little from the side and above: about 3 x 1 / 5 of its middle.
+    // Three posts of 1 x 10 cm in a picture that frames 5 x 10 cm with a margin of 1.15,
+    // seen slightly from the side and above: about 3 x 1 / 5 of its middle.
     std::size_t covered = 0;
     for (std::size_t i = 0; i < layers.id.size(); ++i) {
         if (layers.id[i] == kNothingId) continue;
@@ -59,7 +59,7 @@ TEST(PreviewPlugin, PicturesShowWhatTheLibraryGivesAndNothingElse) {
     EXPECT_LT(covered, 1800u);
 }
 
-TEST(PreviewPlugin, OfSeveralChunksThatFailAtOnceOneIsTold) {
+TEST(PreviewPlugin, OfSeveralChunksThatFailAtOnceOneIsReported) {
     const SmallGrooms folder;
     const Variable other("LANCRET_LIBRARY", OTHER_PLUGIN);
     const Variable fails("OTHER_PLUGIN_FAILS", "1");
@@ -68,7 +68,7 @@ TEST(PreviewPlugin, OfSeveralChunksThatFailAtOnceOneIsTold) {
     }
 }
 
-TEST(PreviewPlugin, ALibraryThatIsNoneIsRefused) {
+TEST(PreviewPlugin, OtherLibrariesAreRefused) {
     const SmallGrooms folder;
     {
         const Variable none("LANCRET_LIBRARY", folder.at("none.so"));

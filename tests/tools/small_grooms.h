@@ -1,5 +1,5 @@
 #pragma once
-// Grooms so small that a command is done with them in a blink.
+// Grooms that are small enough for fast tests.
 
 #include <cmath>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace lancret {
 
-/// n x n hairs of one length that stand on the square [0, side]^2, each a helix about its
+/// n x n hairs of the same length on the square [0, side]^2, each a helix about the
 /// normal +Z.
 inline Strands curled_lawn(int n, float side, float length, int points = 24) {
     Strands out;
@@ -30,7 +30,7 @@ inline Strands curled_lawn(int n, float side, float length, int points = 24) {
     return out;
 }
 
-/// Straight hairs from each of `roots` to that plus `reach`.
+/// Straight hairs from each of `roots` to the root plus `reach`.
 inline Strands straight_hairs(const std::vector<Vec3f>& roots, const Vec3f& reach,
                               int points = 2) {
     Strands out;
@@ -42,8 +42,8 @@ inline Strands straight_hairs(const std::vector<Vec3f>& roots, const Vec3f& reac
     return out;
 }
 
-/// A folder with lawn.hair (25 hairs of 5 cm on 4 x 4 cm), lawn.obj under it, and
-/// made.toml, a head of 40 guides.
+/// A folder with lawn.hair (25 hairs of 5 cm on 4 x 4 cm), lawn.obj, the square below it,
+/// and made.toml, a generated head with 40 guides.
 struct SmallGrooms : TemporaryFolder {
     std::string hair = (*this / "lawn.hair").string();
     std::string obj = (*this / "lawn.obj").string();
@@ -58,7 +58,7 @@ struct SmallGrooms : TemporaryFolder {
                     "[render]\nwidth = 32\nheight = 32\nsamples = 2\n");
     }
 
-    /// The path of `name` with `text` in it.
+    /// Writes `text` to the file `name` and returns its path.
     std::string file(const std::string& name, std::string_view text) const {
         write_bytes(*this / name, text);
         return (*this / name).string();

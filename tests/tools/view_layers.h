@@ -1,5 +1,5 @@
 #pragma once
-// What a picture of a check view holds, read by OpenEXR.
+// The layers of a picture of a check view, read with OpenEXR.
 
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -19,7 +19,7 @@ struct Layers {
     std::vector<std::uint32_t> id;
 };
 
-/// Reads the part that is called as its one channel.
+/// Reads the part whose name is that of its only channel.
 inline void read_part(Imf::MultiPartInputFile& file, const std::string& name,
                       Imf::PixelType type, void* data, std::size_t width) {
     int part = 0;

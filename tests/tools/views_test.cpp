@@ -1,4 +1,4 @@
-// Check views and contact sheets as a user asks for them.
+// Check views and contact sheets.
 
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@ nlohmann::json json_of(const std::string& file) {
     return nlohmann::json::parse(read_bytes(file));
 }
 
-/// Runs preview --view and gives what --stats tells of it.
+/// Runs preview --view and returns the view from its --stats.
 nlohmann::json view_stats(const SmallGrooms& folder, std::vector<std::string> words) {
     words.insert(words.begin(), "preview");
     for (const char* word : {"--size", "40x40", "--samples", "1", "-o"})
@@ -31,7 +31,7 @@ nlohmann::json view_stats(const SmallGrooms& folder, std::vector<std::string> wo
     return json_of(folder.at("view.json"))["view"];
 }
 
-TEST(Views, ErrorsAreThoseOfCheck) {
+TEST(Views, ErrorsEqualThoseOfCheck) {
     const SmallGrooms folder;
     for (const char* blend : {"detail", "position"}) {
         const std::string report = folder.at("report.json");
@@ -49,7 +49,7 @@ TEST(Views, ErrorsAreThoseOfCheck) {
     }
 }
 
-TEST(Views, EveryOneIsAPictureOfItsOwn) {
+TEST(Views, EachHasADifferentPicture) {
     const SmallGrooms folder;
     const std::string painted = folder.file(
         "painted.toml", read_bytes(folder.made) + "[regions]\nids = \"ids.txt\"\n");
@@ -68,7 +68,7 @@ TEST(Views, EveryOneIsAPictureOfItsOwn) {
     }
 }
 
-/// A box in triangles that face outward.
+/// Appends a box whose triangles face outward.
 void add_box(TriangleMesh& mesh, const Vec3f& low, const Vec3f& high) {
     const auto first = std::uint32_t(mesh.positions.size());
     for (int i = 0; i < 8; ++i)
@@ -83,9 +83,9 @@ void add_box(TriangleMesh& mesh, const Vec3f& low, const Vec3f& high) {
     }
 }
 
-TEST(Views, PenetrationShowsJustTheStrandsThatRunThroughABody) {
-    // Straight hairs on the square [0, 4]^2, and a box over its half x < 2, from z = 2 to
-    // 3: hairs with roots there go 0.5 cm deep, or as deep as the way to x = 2.
+TEST(Views, PenetrationShowsOnlyStrandsThatRunThroughABody) {
+    // Straight hairs on the square [0, 4]^2, and a box over its half x < 2 from z = 2 to
+    // 3: hairs with roots there are 0.5 cm deep inside, or less near x = 2.
     const SmallGrooms folder;
     std::vector<Vec3f> roots;
     for (int i = 0; i < 64; ++i)
@@ -108,8 +108,8 @@ TEST(Views, PenetrationShowsJustTheStrandsThatRunThroughABody) {
     words.insert(words.end(), {"--view", "penetration"});
     const auto view = view_stats(folder, words);
 
-    // Points are seen at every 5 / 64 cm: the deepest at most half of that from the
-    // middle of the box.
+    // Strands are sampled every 5 / 64 cm: the deepest sample is at most half of that
+    // from the middle of the box.
     std::size_t within = 0;
     float deepest = 0;
     for (std::size_t i = 0; i < children.size(); ++i) {
@@ -135,7 +135,7 @@ TEST(Views, PenetrationShowsJustTheStrandsThatRunThroughABody) {
     EXPECT_GT(pierced, 0u);
 }
 
-TEST(Views, TheRangeIsAsAskedFor) {
+TEST(Views, UseTheRequestedRange) {
     const SmallGrooms folder;
     const auto view =
         view_stats(folder, {folder.made, "--view", "curvature", "--view-range", "0.5,2"});
@@ -147,7 +147,7 @@ TEST(Views, TheRangeIsAsAskedFor) {
     EXPECT_EQ(own["largest"], view["largest"]);
 }
 
-TEST(Views, ThatThereAreNotAreRefused) {
+TEST(Views, InvalidOnesAreRefused) {
     const SmallGrooms folder;
     const auto ask = [&](std::vector<std::string> words) {
         words.insert(words.begin(), "preview");
@@ -162,7 +162,7 @@ TEST(Views, ThatThereAreNotAreRefused) {
                 refuses_with("--view torsion: ", "position"));
     EXPECT_THAT(ask({folder.hair, "--view", "penetration"}),
                 refuses_with("--view penetration: ", "--scalp"));
-    // Two numbers only as doubles.
+    // Different as doubles but not as floats.
     for (const char* range : {"0,1e-60", "1,1.00000000001", "-1e39,1e39"})
         EXPECT_THAT(ask({folder.made, "--view", "curvature", "--view-range", range}),
                     refuses_with("--view-range: ", ""));
@@ -187,7 +187,7 @@ TEST(Views, ThatThereAreNotAreRefused) {
     EXPECT_FALSE(std::filesystem::exists(folder / "no.png"));
 }
 
-/// The width and height in a PNG's header, from byte 16 on, big end first.
+/// Width and height from a PNG header, big-endian from byte 16 on.
 std::pair<int, int> size_of_png(const std::string& path) {
     const std::string bytes = read_bytes(path);
     const auto number = [&](std::size_t at) {
@@ -199,7 +199,7 @@ std::pair<int, int> size_of_png(const std::string& path) {
     return {number(16), number(20)};
 }
 
-TEST(ContactSheet, StandsBesideThePicturesOfATurntable) {
+TEST(ContactSheet, ShowsThePicturesOfATurntable) {
     const SmallGrooms folder;
     const std::string sheet = folder.at("sheet.png");
     ASSERT_THAT(lancret({"preview", folder.made, "--turntable", "6", "-o",
@@ -267,7 +267,7 @@ TEST(StillFrames, AreGrownAndRenderedOnce) {
     EXPECT_TRUE(std::filesystem::exists(folder / "sheet.png"));
 }
 
-TEST(StillFrames, OfAHeadThatMovesAreNotStill) {
+TEST(StillFrames, DoNotIncludeThoseOfAMovingHead) {
     const SmallGrooms folder;
     const std::string toml =
         folder.file("moves.toml", read_bytes(folder.made) +
@@ -289,7 +289,7 @@ TEST(StillFrames, OfAHeadThatMovesAreNotStill) {
     EXPECT_NE(read_bytes(folder / "f.3.png"), read_bytes(folder / "f.2.png"));
 }
 
-TEST(Evaluate, StripIsRegularisedAsThePreviewIs) {
+TEST(Evaluate, StripIsRegularisedLikeThePreview) {
     const SmallGrooms folder;
     const auto strip = [&](const char* setting) {
         const std::string toml =
