@@ -62,17 +62,19 @@ std::size_t BareEmbree::trace(std::span<const TracedRay> rays) const {
         r.tnear = from.near, r.tfar = from.far, r.time = 0, r.mask = ~0u, r.flags = 0;
         hit.hit.geomID = hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 #if RTC_VERSION_MAJOR >= 4
-        if (traced.shadow)
+        if (traced.shadow) {
             rtcOccluded1(impl_->scene, &r);
-        else
+        } else {
             rtcIntersect1(impl_->scene, &hit);
+        }
 #else
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
-        if (traced.shadow)
+        if (traced.shadow) {
             rtcOccluded1(impl_->scene, &context, &r);
-        else
+        } else {
             rtcIntersect1(impl_->scene, &context, &hit);
+        }
 #endif
         hits += traced.shadow ? r.tfar < 0 : hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     }

@@ -38,8 +38,9 @@ double user_seconds() {
 /// Memory of this process, bytes: "VmRSS" now, "VmHWM" at peak.
 double memory(const std::string& field) {
     std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);)
+    for (std::string line; std::getline(status, line);) {
         if (line.starts_with(field + ":")) return 1024 * std::stod(line.substr(6));
+    }
     return 0;
 }
 
@@ -47,10 +48,13 @@ double memory(const std::string& field) {
 /// pixels, in the order of a render.
 std::vector<Eigen::Vector2i> measured_pixels() {
     std::vector<Eigen::Vector2i> pixels;
-    for (int tile = 0; tile < 32; ++tile)
-        for (int y = 0; y < 16; ++y)
-            for (int x = 0; x < 16; ++x)
+    for (int tile = 0; tile < 32; ++tile) {
+        for (int y = 0; y < 16; ++y) {
+            for (int x = 0; x < 16; ++x) {
                 pixels.emplace_back(tile % 8 * 64 + 24 + x, tile / 8 * 128 + 56 + y);
+            }
+        }
+    }
     return pixels;
 }
 
@@ -85,8 +89,9 @@ std::vector<Eigen::Vector2f> reference_of(SphereScene& made, const Options& opti
     const auto pixels = measured_pixels();
     std::vector<Eigen::Vector2f> out(pixels.size());
     const auto bytes = std::streamsize(out.size() * sizeof(out[0]));
-    if (std::ifstream in(options.reference, std::ios::binary); in)
+    if (std::ifstream in(options.reference, std::ios::binary); in) {
         if (in.read(reinterpret_cast<char*>(out.data()), bytes)) return out;
+    }
     RenderSettings many;
     many.samples = options.reference_samples;
     many.seed = options.render.seed + 1;
@@ -124,8 +129,9 @@ void measure(SphereScene& made, const Options& options) {
     RenderSettings settings = options.render;
     settings.path.pixel_angle = 2 * made.camera.tangent / 512;
     const auto trace = [&] {
-        for (std::size_t i = 0; i < pixels.size(); ++i)
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
             traced[i] = trace_pixel(made, settings, pixels[i]);
+        }
     };
     settings.path.record = &rays;
     settings.samples = std::min(settings.samples, 16);
@@ -184,12 +190,14 @@ void render_all(SphereScene& made, const Options& options, const Start& start) {
         1e-6 * double(rays) / user, (memory("VmHWM") - start.memory) / 1e6);
     if (options.render.noise > 0 && !options.reference.empty()) {
         std::vector<Eigen::Vector4f> rgba;
-        for (const Eigen::Vector2i& p : measured_pixels())
+        for (const Eigen::Vector2i& p : measured_pixels()) {
             rgba.push_back(image.rgba[std::size_t(512) * p.y() + p.x()]);
+        }
         print_noise(reference_of(made, options), rgba, user);
     }
-    if (!options.picture.empty())
+    if (!options.picture.empty()) {
         write_image(options.picture, image, Vec3f::Constant(0.18f));
+    }
 }
 
 int run(Options& options) {
@@ -201,8 +209,9 @@ int run(Options& options) {
     HairMaterial material;
     material.eumelanin = options.eumelanin;
     made.scene.hair = HairModel(material);
-    if (options.regularisation > 0)
+    if (options.regularisation > 0) {
         made.scene.later_hair = HairModel(roughened(material, options.regularisation));
+    }
     const double memory_before = memory("VmRSS") - double(made.curves.bytes());
     Stopwatch watch;
     const double user_before = user_seconds();

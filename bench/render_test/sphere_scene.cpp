@@ -52,8 +52,9 @@ Curves curly_strands(const Size& size, float radius) {
         const float phase = 2 * kPif * unit_float(std::uint32_t(mix(i, 1)));
         const float length =
             kLength * (0.7f + 0.3f * unit_float(std::uint32_t(mix(i, 2))));
-        for (std::uint32_t j = 0; j < segments; ++j)
+        for (std::uint32_t j = 0; j < segments; ++j) {
             curves.segments[segment++] = i * points + j;
+        }
         for (std::uint32_t j = 0; j < points; ++j) {
             const float s = (float(j) - 1) / float(segments);
             const Vec3f p = place(normal, phase, length, s);
@@ -65,7 +66,7 @@ Curves curly_strands(const Size& size, float radius) {
 
 TriangleMesh sphere(int around, int down) {
     TriangleMesh mesh;
-    for (int y = 0; y <= down; ++y)
+    for (int y = 0; y <= down; ++y) {
         for (int x = 0; x <= around; ++x) {
             const float a = 2 * kPif * float(x) / float(around),
                         b = kPif * float(y) / float(down);
@@ -73,13 +74,15 @@ TriangleMesh sphere(int around, int down) {
                                                      std::cos(b),
                                                      std::sin(b) * std::sin(a)));
         }
-    for (int y = 0; y < down; ++y)
+    }
+    for (int y = 0; y < down; ++y) {
         for (int x = 0; x < around; ++x) {
             const auto a = std::uint32_t(y * (around + 1) + x);
             const std::uint32_t b = a + std::uint32_t(around) + 1;
             mesh.triangles.push_back({a, a + 1, b + 1});
             mesh.triangles.push_back({a, b + 1, b});
         }
+    }
     return mesh;
 }
 

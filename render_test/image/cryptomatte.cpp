@@ -12,8 +12,9 @@ namespace {
 /// Four bytes or fewer, lowest first.
 std::uint32_t word(std::string_view bytes) {
     std::uint32_t out = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i)
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
         out |= std::uint32_t(std::uint8_t(bytes[i])) << (8 * i);
+    }
     return out;
 }
 
@@ -26,9 +27,10 @@ std::uint32_t scrambled(std::uint32_t word) {
 std::uint32_t murmur_hash3(std::string_view bytes, std::uint32_t seed) {
     std::uint32_t hash = seed;
     std::size_t at = 0;
-    for (; at + 4 <= bytes.size(); at += 4)
+    for (; at + 4 <= bytes.size(); at += 4) {
         hash =
             std::rotl(hash ^ scrambled(word(bytes.substr(at, 4))), 13) * 5 + 0xe6546b64u;
+    }
     hash ^= scrambled(word(bytes.substr(at)));
     hash ^= std::uint32_t(bytes.size());
     hash = (hash ^ (hash >> 16)) * 0x85ebca6bu;
@@ -52,9 +54,10 @@ std::string object_name(std::uint32_t id) {
 std::map<std::string, std::string> cryptomatte_metadata(
     std::string_view name, std::initializer_list<std::string_view> objects) {
     std::string manifest;
-    for (const std::string_view object : objects)
+    for (const std::string_view object : objects) {
         manifest += fmt::format(R"({}"{}":"{:08x}")", manifest.empty() ? "" : ",", object,
                                 cryptomatte_id(object));
+    }
     const std::string key =
         "cryptomatte/" + fmt::format("{:08x}", murmur_hash3(name)).substr(0, 7) + "/";
     return {{key + "name", std::string(name)},

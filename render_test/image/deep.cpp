@@ -24,8 +24,9 @@ void merge(std::vector<DeepSample>& samples, float gap) {
         }
         back = s.depth;
         const float coverage = group->coverage + s.coverage;
-        if (coverage > 0)
+        if (coverage > 0) {
             group->depth += (s.depth - group->depth) * (s.coverage / coverage);
+        }
         group->coverage = coverage;
         group->radiance += s.radiance;
     }
@@ -48,8 +49,9 @@ void composited(std::span<const DeepSample> samples, std::vector<DeepPoint>& poi
     float through = 1, before = -std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < points.size(); ++i) {
         DeepPoint& point = points[i];
-        if (point.depth <= before)
+        if (point.depth <= before) {
             point.depth = std::nextafter(before, std::numeric_limits<float>::infinity());
+        }
         before = point.depth;
         point.rgba /= through;
         point.rgba.w() =

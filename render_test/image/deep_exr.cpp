@@ -91,8 +91,9 @@ void write_lines(const std::filesystem::path& path, const Image& image) {
 }  // namespace
 
 void write_deep_exr(const std::filesystem::path& path, const Image& image) {
-    if (path.extension() != ".exr")
+    if (path.extension() != ".exr") {
         throw InputError(path.string() + ": deep images can only be written as .exr");
+    }
     if (image.deep.empty()) throw std::invalid_argument("a picture without deep samples");
     PendingFile file(path);
     try {

@@ -45,10 +45,12 @@ void box_sums(const Window& window, int radius, std::vector<T>& values) {
             values[first + i * step] = sum;
         }
     };
-    for (int y = window.y0; y < window.y1; ++y)
+    for (int y = window.y0; y < window.y1; ++y) {
         along(window.index(window.x0, y), 1, window.across());
-    for (int x = window.x0; x < window.x1; ++x)
+    }
+    for (int x = window.x0; x < window.x1; ++x) {
         along(window.index(x, window.y0), window.across(), window.y1 - window.y0);
+    }
 }
 
 /// Maps depths to 0..1, from the nearest in the image to the farthest.
@@ -75,10 +77,12 @@ Guide guide_of(const Image& image, const DepthRange& range, std::size_t i) {
 Moments moments_of(const Guide& guide, const Eigen::Vector3f& colour) {
     Moments out;
     int at = 0;
-    for (int a = 0; a < kGuides; ++a)
+    for (int a = 0; a < kGuides; ++a) {
         for (int b = a; b < kGuides; ++b) out[at++] = guide[a] * guide[b];
-    for (int a = 0; a < kGuides; ++a)
+    }
+    for (int a = 0; a < kGuides; ++a) {
         for (int c = 0; c < 3; ++c) out[at++] = guide[a] * colour[c];
+    }
     return out;
 }
 
@@ -88,10 +92,12 @@ Slopes fitted(const Moments& moments, float ridge) {
     Eigen::Matrix<float, kGuides, kGuides> pairs;
     Slopes with_colour;
     int at = 0;
-    for (int a = 0; a < kGuides; ++a)
+    for (int a = 0; a < kGuides; ++a) {
         for (int b = a; b < kGuides; ++b) pairs(a, b) = pairs(b, a) = moments[at++];
-    for (int a = 0; a < kGuides; ++a)
+    }
+    for (int a = 0; a < kGuides; ++a) {
         for (int c = 0; c < 3; ++c) with_colour(a, c) = moments[at++];
+    }
     const float covered = pairs(0, 0);
     if (!(covered > 0)) return Slopes::Zero();
     for (int a = 1; a < kGuides; ++a) pairs(a, a) += ridge * covered;
@@ -105,26 +111,30 @@ void filter_tile(const Image& image, const DepthRange& range,
     const Window centres = tile.grown(settings.radius, image);
     const Window all = centres.grown(settings.radius, image);
     std::vector<Moments> moments(all.size());
-    for (int y = all.y0; y < all.y1; ++y)
+    for (int y = all.y0; y < all.y1; ++y) {
         for (int x = all.x0; x < all.x1; ++x) {
             const std::size_t i = std::size_t(y) * image.width + x;
             moments[all.index(x, y)] =
                 moments_of(guide_of(image, range, i), image.rgba[i].head<3>());
         }
+    }
     box_sums(all, settings.radius, moments);
     std::vector<Slopes> slopes(centres.size());
-    for (int y = centres.y0; y < centres.y1; ++y)
-        for (int x = centres.x0; x < centres.x1; ++x)
+    for (int y = centres.y0; y < centres.y1; ++y) {
+        for (int x = centres.x0; x < centres.x1; ++x) {
             slopes[centres.index(x, y)] =
                 fitted(moments[all.index(x, y)], settings.ridge);
+        }
+    }
     box_sums(centres, settings.radius, slopes);
-    for (int y = tile.y0; y < tile.y1; ++y)
+    for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
             const Window used = Window{x, y, x + 1, y + 1}.grown(settings.radius, image);
             const std::size_t i = std::size_t(y) * image.width + x;
             out[i] = slopes[centres.index(x, y)].transpose() * guide_of(image, range, i) /
                      float(used.size());
         }
+    }
 }
 
 /// Adds detail back to one tile of `filtered`: the share of the removed signal that
@@ -133,15 +143,16 @@ void restore_tile(const Image& image, const std::vector<Vec3f>& filtered, int ra
                   const Window& tile, std::vector<Vec3f>& out) {
     const Window all = tile.grown(radius, image);
     std::vector<Eigen::Array2f> powers(all.size());  // removed, noise
-    for (int y = all.y0; y < all.y1; ++y)
+    for (int y = all.y0; y < all.y1; ++y) {
         for (int x = all.x0; x < all.x1; ++x) {
             const std::size_t i = std::size_t(y) * image.width + x;
             const Vec3f removed = image.rgba[i].head<3>() - filtered[i];
             powers[all.index(x, y)] = {removed.squaredNorm(),
                                        image.variance[i].head<3>().sum()};
         }
+    }
     box_sums(all, radius, powers);
-    for (int y = tile.y0; y < tile.y1; ++y)
+    for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
             const std::size_t i = std::size_t(y) * image.width + x;
             const Eigen::Array2f& power = powers[all.index(x, y)];
@@ -149,13 +160,15 @@ void restore_tile(const Image& image, const std::vector<Vec3f>& filtered, int ra
             const Vec3f removed = image.rgba[i].head<3>() - filtered[i];
             out[i] = (filtered[i] + detail * removed).cwiseMax(0.0f);
         }
+    }
 }
 
 }  // namespace
 
 void denoise(Image& image, const DenoiseSettings& settings) {
-    if (image.variance.size() != image.rgba.size())
+    if (image.variance.size() != image.rgba.size()) {
         throw std::invalid_argument("denoising needs the picture's variance");
+    }
     const DepthRange range = depth_range(image);
     const int across = (image.width + kTile - 1) / kTile;
     const int down = (image.height + kTile - 1) / kTile;

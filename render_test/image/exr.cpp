@@ -48,8 +48,9 @@ struct Parts {
     void add(std::initializer_list<const char*> names, Imf::PixelType type,
              const T* data) {
         std::size_t c = 0;
-        for (const char* name : names)
+        for (const char* name : names) {
             add(name, type, data + c++, names.size() * sizeof(T));
+        }
     }
     /// The same for vectors, stored as halves.
     template <class Vector>
@@ -57,8 +58,9 @@ struct Parts {
                     const std::vector<Vector>& layer) {
         std::vector<half>& out = halves.emplace_back();
         out.reserve(layer.size() * names.size());
-        for (const Vector& values : layer)
+        for (const Vector& values : layer) {
             for (const float value : values) out.push_back(half(rounded_to_half(value)));
+        }
         add(names, Imf::HALF, out.data());
     }
     /// Adds the layers of a Cryptomatte: `Ranks` ids with shares per pixel, two per
@@ -67,20 +69,24 @@ struct Parts {
     void add_matte(const std::string& name, const Metadata& metadata,
                    const Function& ranks_of) {
         begin(name.c_str());
-        for (Imf::Header* header : {&headers.front(), &headers.back()})
-            for (const auto& [key, text] : metadata)
+        for (Imf::Header* header : {&headers.front(), &headers.back()}) {
+            for (const auto& [key, text] : metadata) {
                 header->insert(key, Imf::StringAttribute(text));
+            }
+        }
         std::vector<float>& out = floats.emplace_back();
         const std::size_t pixels = std::size_t(width) * height;
         out.reserve(pixels * Ranks * 2);
-        for (std::size_t i = 0; i < pixels; ++i)
+        for (std::size_t i = 0; i < pixels; ++i) {
             for (const auto& [id, share] : ranks_of(i)) {
                 out.push_back(share > 0 ? cryptomatte_float(id) : 0.0f);
                 out.push_back(share);
             }
-        for (std::size_t c = 0; c < Ranks * 2; ++c)
+        }
+        for (std::size_t c = 0; c < Ranks * 2; ++c) {
             add(name + "0" + std::to_string(c / 4) + "." + "RGBA"[c % 4], Imf::FLOAT,
                 out.data() + c, Ranks * 2 * sizeof(float));
+        }
     }
 };
 
@@ -104,8 +110,9 @@ void add_mattes(const Image& image, Parts& parts) {
         [&](std::size_t i) {
             std::array<NamedShare, kRanks> out;
             std::size_t rank = 0;
-            for (const auto& [id, share] : image.objects[i].ranks<kRanks>())
+            for (const auto& [id, share] : image.objects[i].ranks<kRanks>()) {
                 out[rank++] = {share > 0 ? object_name(id) : "", share};
+            }
             return out;
         });
     parts.add_matte<2>("CryptoMaterial",

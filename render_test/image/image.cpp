@@ -29,10 +29,11 @@ void write_png(const std::string& path, const Image& image,
     for (const Eigen::Vector4f& pixel : image.rgba) {
         const float alpha = std::clamp(pixel.w(), 0.0f, 1.0f);
         Vec3f colour = pixel.head<3>();
-        if (background)
+        if (background) {
             colour += (1 - alpha) * *background;
-        else if (alpha > 0)
+        } else if (alpha > 0) {
             colour /= alpha;
+        }
         for (int c = 0; c < 3; ++c) bytes.push_back(byte_of(colour[c]));
         if (!background) bytes.push_back(std::uint8_t(alpha * 255 + 0.5f));
     }
@@ -42,8 +43,9 @@ void write_png(const std::string& path, const Image& image,
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", 1);
     if (!output->open(path, spec) ||
-        !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close())
+        !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close()) {
         throw std::runtime_error(output->geterror());
+    }
 }
 
 }  // namespace
@@ -60,15 +62,17 @@ Image::Image(int w, int h)
 void write_image(const fs::path& path, const Image& image,
                  const std::optional<Vec3f>& background) {
     const std::string extension = path.extension().string();
-    if (extension != ".exr" && extension != ".png")
+    if (extension != ".exr" && extension != ".png") {
         throw InputError(path.string() + ": cannot write pictures of extension '" +
                          extension + "', expected .exr or .png");
+    }
     PendingFile file(path);
     try {
-        if (extension == ".exr")
+        if (extension == ".exr") {
             write_exr(file.temporary(), image);
-        else
+        } else {
             write_png(file.temporary().string(), image, background);
+        }
     } catch (const std::exception& error) {
         throw InputError(path.string() + ": cannot be written: " + error.what());
     }
@@ -121,8 +125,9 @@ Image reduced(const Image& image, int width, int height) {
     out.rgba.resize(std::size_t(width) * height);
     OIIO::ImageBuf to(OIIO::ImageSpec(width, height, 4, OIIO::TypeDesc::FLOAT),
                       out.rgba.data());
-    if (!OIIO::ImageBufAlgo::resize(to, from, "box"))
+    if (!OIIO::ImageBufAlgo::resize(to, from, "box")) {
         throw std::runtime_error("a picture cannot be reduced: " + to.geterror());
+    }
     return out;
 }
 

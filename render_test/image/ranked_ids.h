@@ -22,8 +22,9 @@ struct RankedIds {
     void add(std::uint32_t id, float weight) {
         if (!(weight > 0)) return;
         int slot = 0, lightest = 0;
-        for (; slot < kSlots && bounds[slot] > 0 && ids[slot] != id; ++slot)
+        for (; slot < kSlots && bounds[slot] > 0 && ids[slot] != id; ++slot) {
             if (bounds[slot] < bounds[lightest]) lightest = slot;
+        }
         if (slot == kSlots) {
             slot = lightest;
             certain[slot] = 0;

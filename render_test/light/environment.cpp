@@ -45,14 +45,18 @@ Environment::Environment(const Vec3f& radiance)
 Environment::Environment(Texture map, const Vec3f& up, float rotation)
     : map_(std::move(map)) {
     const int w = map_.width, h = map_.height;
-    if (w < 1 || h < 1 || map_.texels.size() != std::size_t(w) * h)
+    if (w < 1 || h < 1 || map_.texels.size() != std::size_t(w) * h) {
         throw std::invalid_argument("an environment needs texels");
-    for (const Vec3f& texel : map_.texels)
-        if (!texel.allFinite() || texel.minCoeff() < 0)
+    }
+    for (const Vec3f& texel : map_.texels) {
+        if (!texel.allFinite() || texel.minCoeff() < 0) {
             throw std::invalid_argument("an environment must be finite and not negative");
+        }
+    }
     const Vec3f zenith = up.normalized();
-    if (!zenith.allFinite() || !std::isfinite(rotation) || !(up.norm() > 0))
+    if (!zenith.allFinite() || !std::isfinite(rotation) || !(up.norm() > 0)) {
         throw std::invalid_argument("an environment's up axis must not be zero");
+    }
     const Mat3f turn =
         Eigen::Quaternionf::FromTwoVectors(zenith, Vec3f::UnitY()).toRotationMatrix();
     to_map_ = Eigen::AngleAxisf(-rotation, Vec3f::UnitY()).toRotationMatrix() * turn;
@@ -70,9 +74,11 @@ Environment::Environment(Texture map, const Vec3f& up, float rotation)
         // The mean of bilinear interpolation over a texel: 1/8, 6/8, 1/8 per axis.
         for (int x = 0; x < w; ++x) {
             across[x] = 0;
-            for (int j = -1; j <= 1; ++j)
-                for (int i = -1; i <= 1; ++i)
+            for (int j = -1; j <= 1; ++j) {
+                for (int i = -1; i <= 1; ++i) {
                     across[x] += bright(x + i, y + j) * (i ? 1 : 6) * (j ? 1 : 6) / 64.0;
+                }
+            }
         }
         const double sum = accumulate(
             across, std::span(columns_).subspan(std::size_t(y) * (w + 1), w + 1));

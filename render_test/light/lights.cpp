@@ -89,8 +89,9 @@ LightSample sample_of(const Rectangle& r, const Vec3f& from, const Vec2f& random
     if (!(sample.distance > 0)) return sample;
     sample.direction = towards / sample.distance;
     const float cosine = -sample.direction.dot(r.frame.col(2));
-    if (cosine > 1e-6f)
+    if (cosine > 1e-6f) {
         sample.pdf = sample.distance * sample.distance / (4 * r.half.prod() * cosine);
+    }
     return sample;
 }
 
@@ -122,8 +123,9 @@ LightSample met(const Environment& environment, const Vec3f&, const Vec3f& direc
 LightSample met(const Disc& disc, const Vec3f&, const Vec3f& direction) {
     // By the cross product: one minus a cosine loses all digits for a disc like the sun.
     const Vec3f axis = disc.frame.col(2);
-    if (axis.dot(direction) <= 0 || axis.cross(direction).squaredNorm() > disc.sine2)
+    if (axis.dot(direction) <= 0 || axis.cross(direction).squaredNorm() > disc.sine2) {
         return {};
+    }
     return {direction, disc.radiance, disc.pdf};
 }
 
@@ -147,9 +149,10 @@ LightSample met(const SphereLight& s, const Vec3f& from, const Vec3f& direction)
     const float across2 = (towards - along * direction).squaredNorm();
     if (d2 > r2 && (along <= 0 || across2 > r2)) return {};
     const float half = std::sqrt(std::max(0.0f, r2 - across2));
-    if (d2 > r2)
+    if (d2 > r2) {
         return {direction, s.radiance, 1 / (2 * kPif * cone_versine(r2 / d2)),
                 std::max(along - half, 0.0f)};
+    }
     return {direction, s.radiance, 1 / (4 * kPif), along + half};
 }
 
@@ -160,8 +163,9 @@ Lights::Lights(Environment environment, const std::vector<DistantLight>& distant
                const std::vector<SphereLight>& spheres) {
     shapes_.emplace_back(std::move(environment));
     for (const DistantLight& light : distant) shapes_.emplace_back(disc_of(light));
-    for (const RectangleLight& light : rectangles)
+    for (const RectangleLight& light : rectangles) {
         shapes_.emplace_back(rectangle_of(light));
+    }
     for (const SphereLight& light : spheres) {
         require(
             light.centre.allFinite() && std::isfinite(light.radius) && light.radius > 0,

@@ -57,8 +57,9 @@ class Lights {
         for (const Shape& shape : shapes_) {
             if (far < std::numeric_limits<float>::max() && is_far(shape)) continue;
             const LightSample met = meet(shape, from, direction);
-            if (met.pdf > 0 && !(met.distance > far))
+            if (met.pdf > 0 && !(met.distance > far)) {
                 sum += weight(met.pdf) * met.radiance;
+            }
         }
         return sum;
     }

@@ -20,18 +20,18 @@ BsdfValue Blade::near_side(const Vec3f& wi) const {
 }
 
 BsdfValue Blade::evaluate(const Vec3f& wi) const {
-    BsdfValue at;
+    BsdfValue out;
     if (wi.z() > 0) {
-        at = near_side(wi);
-        at.pdf *= 1 - far_chance_;
+        out = near_side(wi);
+        out.pdf *= 1 - far_chance_;
     } else if (wi.z() < 0) {
         const float cosine = std::min(-wi.z(), 1.0f) / kPif;
         const float leaves =
             coated_ ? 1 - fresnel_dielectric(std::min(-wi.z(), 1.0f), kCoatEta) : 1.0f;
-        at.value = far_ * (enters_ * leaves * cosine);
-        at.pdf = far_chance_ * cosine;
+        out.value = far_ * (enters_ * leaves * cosine);
+        out.pdf = far_chance_ * cosine;
     }
-    return at;
+    return out;
 }
 
 std::optional<BsdfSample> Blade::sample(float pick, float, const Vec2f& random) const {

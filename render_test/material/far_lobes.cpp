@@ -60,12 +60,13 @@ FarHairBsdf::FarHairBsdf(const HairModel& model, const FarTable& table,
         energy_[1][channel] = absorbed(energy.tt, once_[channel]);
         energy_[2][channel] = absorbed(energy.trt, twice_[channel]);
         const Place depth = place_of(std::exp(-a), kFarDepths);
-        const auto at = [&](int i) {
+        const auto residual_at = [&](int i) {
             const float here = residual[i], next = residual[i + kFarDepths + 1];
             return here + share_ * (next - here);
         };
         energy_[3][channel] =
-            at(depth.span) + depth.share * (at(depth.span + 1) - at(depth.span));
+            residual_at(depth.span) +
+            depth.share * (residual_at(depth.span + 1) - residual_at(depth.span));
     }
     for (int p = 0; p < kHairLobes; ++p) probability_[p] = luminance(energy_[p]);
     probability_ /= probability_.sum();
@@ -90,13 +91,14 @@ BsdfValue FarHairBsdf::evaluate(const Vec3f& wi) const {
 BsdfValue FarHairBsdf::evaluate(float sine_i, float cosine_i, float phi) const {
     const FarTable::Node n = node(phi);
     const Array4f m = longitudinal(*model_, wo_, sine_i, cosine_i);
-    BsdfValue at;
-    at.value = energy_[3] * (m[3] / (2 * kPif));
-    for (int channel = 0; channel < 3; ++channel)
-        at.value[channel] += m[0] * n.r + m[1] * absorbed(n.tt, once_[channel]) +
-                             m[2] * absorbed(n.trt, twice_[channel]);
-    at.pdf = (m * density_ * Array4f(n.r, n.tt.sum(), n.trt.sum(), 1).max(0)).sum();
-    return at;
+    BsdfValue out;
+    out.value = energy_[3] * (m[3] / (2 * kPif));
+    for (int channel = 0; channel < 3; ++channel) {
+        out.value[channel] += m[0] * n.r + m[1] * absorbed(n.tt, once_[channel]) +
+                              m[2] * absorbed(n.trt, twice_[channel]);
+    }
+    out.pdf = (m * density_ * Array4f(n.r, n.tt.sum(), n.trt.sum(), 1).max(0)).sum();
+    return out;
 }
 
 /// Samples |phi| of a lobe: first one of the two rows that are mixed linearly, by its

@@ -41,8 +41,9 @@ std::vector<Offset> offsets_at(const HairModel& model, float cosine_o) {
                  fresnel_dielectric(cosine_o * std::cos(gamma), model.eta),
                  std::sqrt(1 - sine_t * sine_t),
                  {}};
-        for (int p = 0; p < 3; ++p)
+        for (int p = 0; p < 3; ++p) {
             o.azimuth[p] = -2 * gamma + float(p) * (2 * gamma_t + kPif);
+        }
         sum += o.weight;
         offsets.push_back(o);
     }
@@ -88,9 +89,11 @@ void spread_over(const HairModel& model, int cells, float azimuth, const Add& ad
 /// The values at `c` of the four cubics that are one at one node and zero at the others.
 Array4f lagrange(const Array4f& nodes, float c) {
     Array4f out = Array4f::Ones();
-    for (int k = 0; k < 4; ++k)
-        for (int j = 0; j < 4; ++j)
+    for (int k = 0; k < 4; ++k) {
+        for (int j = 0; j < 4; ++j) {
             if (j != k) out[k] *= (c - nodes[j]) / (nodes[k] - nodes[j]);
+        }
+    }
     return out;
 }
 
@@ -161,14 +164,15 @@ void fill_distribution(int row, FarTable& table) {
 FarTable::FarTable(const HairModel& model)
     // Cells of a fifth of D's scale, within limits.
     : cells(std::clamp(int(std::ceil(kPif / (0.2f * model.s))), 64, 512)),
-      least_c(std::sqrt(1 - 1 / (model.eta * model.eta))),
+      min_c(std::sqrt(1 - 1 / (model.eta * model.eta))),
       nodes(std::size_t(kRowCount) * (cells + 1)),
       energy(kRowCount),
       residual(std::size_t(kRowCount) * kDepthCount),
       distribution(3 * std::size_t(kRowCount) * (cells + 1)) {
-    for (int k = 0; k < 4; ++k)
-        c[k] = 0.5f * (1 + least_c) +
-               0.5f * (1 - least_c) * std::cos((float(k) + 0.5f) * kPif / 4);
+    for (int k = 0; k < 4; ++k) {
+        c[k] = 0.5f * (1 + min_c) +
+               0.5f * (1 - min_c) * std::cos((float(k) + 0.5f) * kPif / 4);
+    }
     tbb::parallel_for(0, kRowCount, [&](int row) {
         fill_row(model, row, *this);
         fill_distribution(row, *this);

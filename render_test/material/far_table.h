@@ -37,7 +37,7 @@ struct FarTable {
     using Energy = Node;
 
     int cells;                    ///< in phi from 0, the viewer's side, to pi
-    float least_c;                ///< minimum of c; the maximum is one
+    float min_c;                  ///< minimum of c; the maximum is one
     Eigen::Array4f c;             ///< the nodes c_k
     std::vector<Node> nodes;      ///< [rows + 1][cells + 1]
     std::vector<Energy> energy;   ///< [rows + 1]

@@ -42,14 +42,14 @@ BsdfValue Glossy::evaluate(const Vec3f& wi) const {
     if (wi.z() <= 1e-6f) return {};
     const Vec3f m = (wi + wo_).normalized();
     const float d = facets(m, alpha_) / (4 * wo_.z());
-    const float out = hidden(wo_, alpha_), in = hidden(wi, alpha_);
+    const float hidden_o = hidden(wo_, alpha_), hidden_i = hidden(wi, alpha_);
     const float f = fresnel_dielectric(std::min(m.dot(wo_), 1.0f), kCoatEta);
     const float through = (1 - fresnel_) * (1 - fresnel_dielectric(wi.z(), kCoatEta));
-    BsdfValue at;
-    at.value =
-        Vec3f::Constant(f * d / (1 + out + in)) + colour_ * (through * wi.z() / kPif);
-    at.pdf = coat_ * d / (1 + out) + (1 - coat_) * wi.z() / kPif;
-    return at;
+    BsdfValue out;
+    out.value = Vec3f::Constant(f * d / (1 + hidden_o + hidden_i)) +
+                colour_ * (through * wi.z() / kPif);
+    out.pdf = coat_ * d / (1 + hidden_o) + (1 - coat_) * wi.z() / kPif;
+    return out;
 }
 
 std::optional<BsdfSample> Glossy::sample(float pick, float, const Vec2f& random) const {

@@ -19,8 +19,9 @@ float square(float x) { return x * x; }
 /// x to the power n, by squaring.
 float power(float x, int n) {
     float result = 1;
-    for (; n; n >>= 1, x *= x)
+    for (; n; n >>= 1, x *= x) {
         if (n & 1) result *= x;
+    }
     return result;
 }
 
@@ -56,12 +57,15 @@ float fresnel_dielectric(float cosine, float eta) {
 HairModel::HairModel(const HairMaterial& material)
     : sigma_a(sigma_a_of(material)), eta(material.eta) {
     const float m = material.beta_m, n = material.beta_n;
-    if (!(m >= 0.01f && m <= 1) || !(n >= 0.01f && n <= 1))
+    if (!(m >= 0.01f && m <= 1) || !(n >= 0.01f && n <= 1)) {
         throw std::invalid_argument("hair roughness must be within 0.01 and 1");
-    if (!(eta >= 1.01f && eta <= 5))
+    }
+    if (!(eta >= 1.01f && eta <= 5)) {
         throw std::invalid_argument("hair index of refraction must be within 1.01 and 5");
-    if (!(std::abs(material.tilt) <= 0.5f))
+    }
+    if (!(std::abs(material.tilt) <= 0.5f)) {
         throw std::invalid_argument("hair tilt must be within -0.5 and 0.5 radian");
+    }
     // [Chiang et al. 2016, Eq. 7]: TT is half as wide as R, TRT and the rest twice.
     const float v = square(0.726f * m + 0.812f * m * m + 3.7f * power(m, 20));
     variance << v, v / 4, 4 * v, 4 * v;
@@ -111,8 +115,9 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo
     attenuation_[1] = through.head<3>();
     attenuation_[2] = once.head<3>();
     attenuation_[3].setZero();
-    if (enters > 0)
+    if (enters > 0) {
         attenuation_[3] = (f * once * transmitted / (enters + f * lost)).head<3>();
+    }
 
     for (int p = 0; p < kHairLobes; ++p) probability_[p] = luminance(attenuation_[p]);
     probability_ /= probability_.sum();
@@ -144,10 +149,11 @@ HairBsdf::HairBsdf(const HairModel& model, const Vec3f& sigma_a, const Vec3f& wo
     // The light that stays inside continues as in a circle, with the first Fresnel term
     // and the last chord.
     attenuation_[3].setZero();
-    if (enters > 0)
+    if (enters > 0) {
         attenuation_[3] = (f[2] * inside.array() * enters * second.array() /
                            (enters + f[0] * (1 - second.array())))
                               .matrix();
+    }
     for (int p = 0; p < kHairLobes; ++p) probability_[p] = luminance(attenuation_[p]);
     probability_ /= probability_.sum();
     for (int p = 0; p + 1 < kHairLobes; ++p) phi_[p] = paths.azimuth[p];
@@ -165,10 +171,10 @@ BsdfValue HairBsdf::evaluate(const Vec3f& wi) const {
 
 BsdfValue HairBsdf::evaluate(float sine_i, float cosine_i, float phi_i) const {
     const Array4f density = densities(sine_i, cosine_i, phi_i);
-    BsdfValue at;
-    for (int p = 0; p < kHairLobes; ++p) at.value += density[p] * attenuation_[p];
-    at.pdf = (density * probability_).sum();
-    return at;
+    BsdfValue out;
+    for (int p = 0; p < kHairLobes; ++p) out.value += density[p] * attenuation_[p];
+    out.pdf = (density * probability_).sum();
+    return out;
 }
 
 std::optional<BsdfSample> HairBsdf::sample(float pick, float azimuth,

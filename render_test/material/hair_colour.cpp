@@ -16,8 +16,9 @@ float colour_fit(float b) {
 }  // namespace
 
 void check_hair_colour(const Vec3f& colour) {
-    if (!colour.allFinite() || colour.minCoeff() < 0 || colour.maxCoeff() > 1)
+    if (!colour.allFinite() || colour.minCoeff() < 0 || colour.maxCoeff() > 1) {
         throw std::invalid_argument("hair colour must be within 0 and 1");
+    }
 }
 
 Vec3f sigma_a_of_melanin(float eumelanin, float pheomelanin) {
@@ -36,8 +37,9 @@ Vec3f colour_of_sigma_a(const Vec3f& sigma_a, float beta_n) {
 
 Vec3f sigma_a_of(const HairMaterial& material) {
     if (material.sigma_a) {
-        if (!material.sigma_a->allFinite() || material.sigma_a->minCoeff() < 0)
+        if (!material.sigma_a->allFinite() || material.sigma_a->minCoeff() < 0) {
             throw std::invalid_argument("hair sigma_a must be finite and not negative");
+        }
         return *material.sigma_a;
     }
     if (material.colour) {
@@ -45,8 +47,9 @@ Vec3f sigma_a_of(const HairMaterial& material) {
         return sigma_a_of_colour(*material.colour, material.beta_n);
     }
     if (!(material.eumelanin >= 0) || !(material.pheomelanin >= 0) ||
-        !std::isfinite(material.eumelanin + material.pheomelanin))
+        !std::isfinite(material.eumelanin + material.pheomelanin)) {
         throw std::invalid_argument("melanin must be finite and not negative");
+    }
     return sigma_a_of_melanin(material.eumelanin, material.pheomelanin);
 }
 

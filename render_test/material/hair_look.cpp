@@ -33,24 +33,27 @@ HairLook::HairLook(HairModel model)
       root_(model.sigma_a),
       tip_(model.sigma_a) {}
 
-HairLook::HairLook(const HairMaterial& material, float least_roughness)
+HairLook::HairLook(const HairMaterial& material, float min_roughness)
     : root_(end_sigma(material, material.root_colour)),
       tip_(end_sigma(material, material.tip_colour)),
       melanin_variation_(material.melanin_variation),
       beta_n_(material.beta_n),
       seed_(material.seed) {
-    for (const float v : {material.melanin_variation, material.roughness_variation})
-        if (!(v >= 0 && v <= 1))
+    for (const float v : {material.melanin_variation, material.roughness_variation}) {
+        if (!(v >= 0 && v <= 1)) {
             throw std::invalid_argument("hair variation must be within 0 and 1");
-    if (!(least_roughness >= 0 && least_roughness <= 1))
+        }
+    }
+    if (!(min_roughness >= 0 && min_roughness <= 1)) {
         throw std::invalid_argument("minimum hair roughness must be within 0 and 1");
+    }
     const HairModel unvaried(material);  // throws if a value is out of range
     const int levels = material.roughness_variation > 0 ? kRoughnesses : 1;
     for (int i = 0; i < levels; ++i) {
         const float share = levels > 1 ? 2 * float(i) / float(levels - 1) - 1 : 0;
         const HairMaterial varied =
             with_roughness(material, 1 + share * material.roughness_variation);
-        models_.emplace_back(roughened(varied, least_roughness));
+        models_.emplace_back(roughened(varied, min_roughness));
     }
     far_tables_ = std::make_shared<FarTables>(models_.size());
 }

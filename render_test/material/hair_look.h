@@ -15,17 +15,17 @@ class HairLook {
   public:
     /// The same for every strand.
     HairLook(HairModel model);  // NOLINT(google-explicit-constructor)
-    /// Strands whose roughnesses are both at least `least_roughness` (0 to 1). It does
+    /// Strands whose roughnesses are both at least `min_roughness` (0 to 1). It does
     /// not change absorption, even if that is set by a colour. Throws
     /// std::invalid_argument if a value is out of range.
-    explicit HairLook(const HairMaterial& material, float least_roughness = 0);
+    explicit HairLook(const HairMaterial& material, float min_roughness = 0);
 
     /// The lobes of a strand; with varied roughness, the nearest of 17 levels.
     const HairModel& model(std::uint32_t strand) const { return models_[level(strand)]; }
     /// That model averaged over the strand's width; built on first use.
     const FarTable& far_table(std::uint32_t strand) const {
-        const std::size_t at = level(strand);
-        return far_tables_->table(at, models_[at]);
+        const std::size_t i = level(strand);
+        return far_tables_->table(i, models_[i]);
     }
     /// Per radius; `along` is 0 at the root to 1 at the tip.
     Vec3f sigma_a(std::uint32_t strand, float along) const;

@@ -10,10 +10,11 @@ namespace lancret {
 namespace {
 
 void check_lens(float field_of_view, float aspect) {
-    if (!(field_of_view > 0 && field_of_view < kPif) || !(aspect > 0))
+    if (!(field_of_view > 0 && field_of_view < kPif) || !(aspect > 0)) {
         throw std::invalid_argument(
             "a camera's field of view must be between 0 and 180 degrees, its aspect "
             "above 0");
+    }
 }
 
 }  // namespace
@@ -56,11 +57,12 @@ Camera camera_of_matrix(const Eigen::Matrix4d& to_world, float field_of_view,
                 .cwiseAbs()
                 .maxCoeff() < 1e-3 &&
         (to_world.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() < 1e-6;
-    if (!rigid)
+    if (!rigid) {
         throw std::invalid_argument(
             "a camera's matrix must be a right-handed rotation, a translation and at "
             "most "
             "a uniform scale");
+    }
     Camera camera;
     camera.position = to_world.topRightCorner<3, 1>().cast<float>();
     camera.frame = Eigen::Quaterniond(turn / scale).normalized().matrix().cast<float>();
@@ -78,8 +80,9 @@ float lens_radius_of(float f_stop, float field_of_view) {
 Camera look_at(const Vec3f& position, const Vec3f& target, const Vec3f& up,
                float field_of_view, float aspect) {
     const Vec3f back = position - target;
-    if (!position.allFinite() || !target.allFinite() || !(back.norm() > 0))
+    if (!position.allFinite() || !target.allFinite() || !(back.norm() > 0)) {
         throw std::invalid_argument("a camera needs a viewing direction");
+    }
     check_lens(field_of_view, aspect);
     Camera camera;
     camera.position = position;
@@ -94,8 +97,9 @@ Camera look_at(const Vec3f& position, const Vec3f& target, const Vec3f& up,
 }
 
 Camera framed(const Eigen::AlignedBox3f& box, const Framing& framing) {
-    if (box.isEmpty() || !box.min().allFinite() || !box.max().allFinite())
+    if (box.isEmpty() || !box.min().allFinite() || !box.max().allFinite()) {
         throw std::invalid_argument("there is nothing to frame");
+    }
     const Vec3f centre = box.center(), view = framing.view.normalized();
     // About the origin: far from it, floats cannot resolve a unit step.
     Camera camera =

@@ -53,12 +53,14 @@ RTCRay embree_ray(const Ray& ray) {
 }
 
 RTCGeometryType geometry_type(const Curves& curves) {
-    if (curves.shape == CurveShape::ribbon)
+    if (curves.shape == CurveShape::ribbon) {
         return RTC_GEOMETRY_TYPE_NORMAL_ORIENTED_BSPLINE_CURVE;
+    }
     const bool flat = curves.shape == CurveShape::flat;
-    if (curves.basis == CurveBasis::bspline)
+    if (curves.basis == CurveBasis::bspline) {
         return flat ? RTC_GEOMETRY_TYPE_FLAT_BSPLINE_CURVE
                     : RTC_GEOMETRY_TYPE_ROUND_BSPLINE_CURVE;
+    }
     return flat ? RTC_GEOMETRY_TYPE_FLAT_HERMITE_CURVE
                 : RTC_GEOMETRY_TYPE_ROUND_HERMITE_CURVE;
 }
@@ -109,11 +111,13 @@ struct HairScene::Impl {
         };
         for (unsigned t = 0; t < shape.times(); ++t) {
             share(RTC_BUFFER_TYPE_VERTEX, t, shape.curves[t]->points);
-            if (first.basis == CurveBasis::hermite)
+            if (first.basis == CurveBasis::hermite) {
                 share(RTC_BUFFER_TYPE_TANGENT, t, shape.curves[t]->tangents);
-            if (first.shape == CurveShape::ribbon)
+            }
+            if (first.shape == CurveShape::ribbon) {
                 share(RTC_BUFFER_TYPE_NORMAL, t, shape.curves[t]->normals,
                       RTC_FORMAT_FLOAT3);
+            }
         }
         rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
                                    first.segments.data(), 0, sizeof(std::uint32_t),
@@ -123,8 +127,9 @@ struct HairScene::Impl {
             rtcSetGeometryIntersectFilterFunction(g, hit_counts);
             rtcSetGeometryOccludedFilterFunction(g, hit_counts);
         }
-        if (first.shape == CurveShape::flat)
+        if (first.shape == CurveShape::flat) {
             rtcSetGeometryTessellationRate(g, float(tessellation));
+        }
         strands_id = attach(g, "adding strands");
     }
 
@@ -142,9 +147,10 @@ struct HairScene::Impl {
         void* triangles = rtcSetNewGeometryBuffer(
             g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
             sizeof(std::array<std::uint32_t, 3>), shape.mesh.triangles.size());
-        if (triangles)
+        if (triangles) {
             std::ranges::copy(shape.mesh.triangles,
                               static_cast<std::array<std::uint32_t, 3>*>(triangles));
+        }
         attach(g, "adding a mesh");
     }
 
@@ -157,10 +163,11 @@ struct HairScene::Impl {
                 RTCHitN_primID(args->hit, 1, 0), RTCHitN_u(args->hit, 1, 0),
                 RTCHitN_v(args->hit, 1, 0), RTCRayN_time(args->ray, 1, 0),
                 Vec3f(RTCRayN_dir_x(args->ray, 1, 0), RTCRayN_dir_y(args->ray, 1, 0),
-                      RTCRayN_dir_z(args->ray, 1, 0))))
+                      RTCRayN_dir_z(args->ray, 1, 0)))) {
             args->valid[0] = 0;
-        else if (!scene.true_radii.empty() && RTCRayN_id(args->ray, 1, 0) != 0)
+        } else if (!scene.true_radii.empty() && RTCRayN_id(args->ray, 1, 0) != 0) {
             pass_by_chance(scene, args);
+        }
     }
 
     /// Rejects a hit with a probability hashed from ray and segment, so that a segment
@@ -182,8 +189,9 @@ struct HairScene::Impl {
         const std::uint64_t to =
             mix(bits(RTCRayN_dir_x(args->ray, 1, 0), RTCRayN_dir_y(args->ray, 1, 0)),
                 bits(RTCRayN_dir_z(args->ray, 1, 0), 0));
-        if (unit_float(std::uint32_t(mix(mix(from, to), segment) >> 32)) >= opacity)
+        if (unit_float(std::uint32_t(mix(mix(from, to), segment) >> 32)) >= opacity) {
             args->valid[0] = 0;
+        }
     }
 };
 
@@ -215,23 +223,28 @@ HairScene::HairScene(const Curves& curves, const TriangleMesh* mesh,
 
 HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& options)
     : impl_(std::make_unique<Impl>()) {
-    if (times.empty() || times.size() > kMaxSceneTimes)
+    if (times.empty() || times.size() > kMaxSceneTimes) {
         throw std::invalid_argument("a scene must have 1 to 129 times");
+    }
     if (!times[0].curves) throw std::invalid_argument("a scene needs strands");
     check_indices(*times[0].curves, times[0].mesh);
     for (const SceneTime& time : times.subspan(1)) check_alike(times[0], time);
-    if (options.tessellation < 1 || options.tessellation > 16)
+    if (options.tessellation < 1 || options.tessellation > 16) {
         throw std::invalid_argument("tessellation must be 1 to 16");
+    }
     if (!options.true_radii.empty() &&
-        options.true_radii.size() != times[0].curves->points.size())
+        options.true_radii.size() != times[0].curves->points.size()) {
         throw std::invalid_argument("true radii must be one per control point");
-    if (!(options.aspect > 0 && options.aspect <= 1))
+    }
+    if (!(options.aspect > 0 && options.aspect <= 1)) {
         throw std::invalid_argument("a strand's aspect must be above 0 and at most 1");
+    }
     if (options.aspect < 1 &&
         (times[0].curves->shape != CurveShape::flat ||
-         times[0].curves->normals.size() != times[0].curves->points.size()))
+         times[0].curves->normals.size() != times[0].curves->points.size())) {
         throw std::invalid_argument(
             "elliptic strands must be flat, with one normal per point");
+    }
     impl_->shape.true_radii = options.true_radii;
     impl_->shape.aspect = options.aspect;
     const auto start = std::chrono::steady_clock::now();
@@ -246,17 +259,21 @@ HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& o
         },
         &impl_->bytes);
     impl_->scene = rtcNewScene(impl_->device);
-    if (times.size() * times[0].curves->segments.size() >= options.compact_from)
+    if (times.size() * times[0].curves->segments.size() >= options.compact_from) {
         rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_COMPACT);
+    }
     if (times[0].curves->segments.size() > 0) impl_->add_strands(options.tessellation);
     if (times[0].mesh && !times[0].mesh->triangles.empty()) {
         impl_->shape.mesh = *times[0].mesh;
-        for (const SceneTime& time : times.subspan(1))
+        for (const SceneTime& time : times.subspan(1)) {
             impl_->shape.vertices.push_back(time.mesh->positions);
-        for (const SceneTime& time : times)
-            if (options.crease > 0)
+        }
+        for (const SceneTime& time : times) {
+            if (options.crease > 0) {
                 impl_->shape.normals.push_back(corner_normals(
                     time.mesh->triangles, time.mesh->positions, options.crease));
+            }
+        }
         impl_->add_mesh();
     }
     commit(impl_->scene, options.progress);
@@ -283,10 +300,11 @@ std::optional<Hit> HairScene::intersect(const Ray& ray) const {
     hit.distance = query.ray.tfar;
     hit.position = ray.origin + query.ray.tfar * ray.direction;
     hit.normal = Vec3f(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
-    if (query.hit.geomID == impl_->strands_id)
+    if (query.hit.geomID == impl_->strands_id) {
         impl_->shape.complete_strand(ray, hit);
-    else
+    } else {
         impl_->shape.complete_mesh(ray, hit);
+    }
     return hit;
 }
 

@@ -6,8 +6,9 @@ namespace lancret {
 namespace {
 
 Vec3f place_at(const SceneTime& time, const Hit& hit) {
-    if (hit.kind == Hit::Kind::strand)
+    if (hit.kind == Hit::Kind::strand) {
         return axis_point(*time.curves, hit.primitive, hit.u).value.head<3>();
+    }
     const auto& [a, b, c] = time.mesh->triangles[hit.primitive];
     const std::vector<Vec3f>& p = time.mesh->positions;
     return (1 - hit.u - hit.v) * p[a] + hit.u * p[b] + hit.v * p[c];

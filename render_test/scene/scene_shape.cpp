@@ -92,8 +92,9 @@ void SceneShape::complete_strand(const Ray& ray, Hit& hit) const {
     const AxisPoint here = axis(hit.primitive, hit.u, ray.time);
     strand.radius = here.value.w();
     strand.along = (float(place.in_strand) + hit.u) / float(place.of);
-    if (!true_radii.empty() && !ray.by_chance)
+    if (!true_radii.empty() && !ray.by_chance) {
         strand.opacity = opacity(hit.primitive, hit.u, strand.radius);
+    }
     hit.tangent = tangent_of(here, ray.direction);
     strand.facing = unit_across(-ray.direction, hit.tangent);
     const Vec3f across = strand.facing.cross(hit.tangent);
@@ -133,8 +134,9 @@ void SceneShape::complete_mesh(const Ray& ray, Hit& hit) const {
     hit.shading_normal = side * hit.normal;
     if (!normals.empty()) {
         std::array<Vec3f, 3> smooth;
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < 3; ++k) {
             smooth[k] = side * corner_normal(hit.primitive, k, ray.time);
+        }
         const SmoothPlace place =
             smooth_place({a, b, vertex(corners[2], ray.time)}, smooth,
                          Vec3f(1 - hit.u - hit.v, hit.u, hit.v), hit.position,

@@ -66,28 +66,36 @@ CornerNormals corner_normals(const std::vector<std::array<std::uint32_t, 3>>& tr
     std::partial_sum(first.begin(), first.end(), first.begin());
     // The corners around each position, as 3 * triangle + corner.
     std::vector<std::uint32_t> around(3 * triangles.size()), next(first);
-    for (std::uint32_t i = 0; i < around.size(); ++i)
+    for (std::uint32_t i = 0; i < around.size(); ++i) {
         around[next[place[triangles[i / 3][i % 3]]]++] = i;
+    }
 
     std::vector<Vec3f> of_all(positions.size(), Vec3f::Zero());
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        if (first[i + 1] - first[i] > kManyAround)
-            for (std::uint32_t j = first[i]; j < first[i + 1]; ++j)
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (first[i + 1] - first[i] > kManyAround) {
+            for (std::uint32_t j = first[i]; j < first[i + 1]; ++j) {
                 of_all[i] += weighted[around[j] / 3][around[j] % 3];
+            }
+        }
+    }
 
     const float min_cosine = std::cos(crease);
     CornerNormals out(triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t here = place[triangles[t][k]];
             Vec3f sum = of_all[here];
-            if (first[here + 1] - first[here] <= kManyAround)
-                for (std::uint32_t j = first[here]; j < first[here + 1]; ++j)
-                    if (faces[around[j] / 3].dot(faces[t]) >= min_cosine)
+            if (first[here + 1] - first[here] <= kManyAround) {
+                for (std::uint32_t j = first[here]; j < first[here + 1]; ++j) {
+                    if (faces[around[j] / 3].dot(faces[t]) >= min_cosine) {
                         sum += weighted[around[j] / 3][around[j] % 3];
+                    }
+                }
+            }
             const Vec3f normal = unit(sum);
             out[t][k] = normal.dot(faces[t]) > 0 ? normal : faces[t];
         }
+    }
     return out;
 }
 
@@ -106,8 +114,9 @@ SmoothPlace smooth_place(const std::array<Vec3f, 3>& corners,
     out.normal = sum / length;
     constexpr float kMinCosine = 0.01f;
     const float cosine = out.normal.dot(viewer);
-    if (cosine < kMinCosine)
+    if (cosine < kMinCosine) {
         out.normal = (out.normal + (kMinCosine - cosine) * viewer).normalized();
+    }
     return out;
 }
 

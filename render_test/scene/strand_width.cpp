@@ -14,8 +14,9 @@ float pixels_at(const Point4f& p, const Camera& camera, float height) {
         camera.frame.transpose() * (Vec3f(p.x, p.y, p.z) - camera.position);
     const float depth = -seen.z(), reach = 1.5f * camera.tangent * depth;
     if (!(depth > 0) || !(std::abs(seen.y()) <= reach) ||
-        !(std::abs(seen.x()) <= reach * camera.aspect))
+        !(std::abs(seen.x()) <= reach * camera.aspect)) {
         return 0;
+    }
     const float pixels = p.w * height / (camera.tangent * depth);
     return std::isfinite(pixels) ? pixels : 0;
 }
@@ -28,12 +29,14 @@ bool any_wider(const Curves& curves, std::span<const Camera> cameras, int height
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, curves.points.size(), 4096),
         [&](const auto& range) {
-            for (std::size_t i = range.begin(); i < range.end() && !found; ++i)
-                for (const Camera& camera : cameras)
+            for (std::size_t i = range.begin(); i < range.end() && !found; ++i) {
+                for (const Camera& camera : cameras) {
                     if (pixels_at(curves.points[i], camera, float(height)) > pixels) {
                         found = true;
                         return;
                     }
+                }
+            }
         });
     return found;
 }

@@ -12,14 +12,15 @@ namespace {
 
 /// The smallest radius, over all cameras, of a strand `pixels` wide at `p`, cm; 0 behind
 /// every camera.
-float least_radius(const Point4f& p, std::span<const Camera> cameras, float pixels,
-                   float height) {
-    float least = std::numeric_limits<float>::infinity();
+float min_radius(const Point4f& p, std::span<const Camera> cameras, float pixels,
+                 float height) {
+    float smallest = std::numeric_limits<float>::infinity();
     for (const Camera& camera : cameras) {
         const float depth = (Vec3f(p.x, p.y, p.z) - camera.position).dot(camera.view());
-        if (depth > 0) least = std::min(least, pixels * camera.tangent * depth / height);
+        if (depth > 0)
+            smallest = std::min(smallest, pixels * camera.tangent * depth / height);
     }
-    return std::isfinite(least) ? least : 0;
+    return std::isfinite(smallest) ? smallest : 0;
 }
 
 /// Sets the slopes of new radii at Hermite points, by central differences.
@@ -38,15 +39,16 @@ void set_slopes(Curves& curves, std::uint32_t strand) {
 
 std::vector<float> widen_thin_strands(Curves& curves, std::span<const Camera> cameras,
                                       int height, float pixels) {
-    if (!(pixels >= 0 && std::isfinite(pixels)) || height < 1)
+    if (!(pixels >= 0 && std::isfinite(pixels)) || height < 1) {
         throw std::invalid_argument("a strand's minimum width must be 0 pixels or more");
+    }
     std::vector<float> before(curves.points.size());
     tbb::parallel_for(std::uint32_t(0), curves.strands, [&](std::uint32_t strand) {
         const std::size_t first = curves.first_point(strand);
         for (std::size_t i = first; i < first + curves.points_of(strand); ++i) {
             Point4f& p = curves.points[i];
             before[i] = p.w;
-            p.w = std::max(p.w, least_radius(p, cameras, pixels, float(height)));
+            p.w = std::max(p.w, min_radius(p, cameras, pixels, float(height)));
         }
         if (curves.basis == CurveBasis::hermite) set_slopes(curves, strand);
     });

@@ -16,9 +16,12 @@ std::optional<Eigen::Matrix4d> read_matrix(const TomlTable& camera, float field_
     const auto usd = camera.matrix("matrix"), exr = camera.matrix("world_to_camera");
     if (!usd && !exr) return std::nullopt;
     const char* key = usd ? "matrix" : "world_to_camera";
-    for (const char* other : {"position", "target", "view", "margin", "world_to_camera"})
-        if (key != std::string_view(other) && camera.has(other))
+    for (const char* other :
+         {"position", "target", "view", "margin", "world_to_camera"}) {
+        if (key != std::string_view(other) && camera.has(other)) {
             camera.fail(other, "a camera with a matrix cannot have another position");
+        }
+    }
     Eigen::Matrix4d to_world = usd ? usd->transpose() : exr->transpose();
     if (exr) {
         to_world = to_world.inverse().eval();
@@ -26,8 +29,9 @@ std::optional<Eigen::Matrix4d> read_matrix(const TomlTable& camera, float field_
     }
     try {
         const Camera made = camera_of_matrix(to_world, field_of_view, 1);
-        if (!is_place(made.position))
+        if (!is_place(made.position)) {
             throw std::invalid_argument("the camera is too far away");
+        }
     } catch (const std::invalid_argument& error) {
         camera.fail(key, error.what());
     }
@@ -84,8 +88,9 @@ Camera camera_of(const CameraSettings& settings, const Eigen::AlignedBox3f& box,
         framing.view = settings.view.value_or(Vec3f(-front - 0.45f * side - 0.12f * up));
         camera = framed(box, framing);
     }
-    if (settings.f_stop)
+    if (settings.f_stop) {
         camera.lens_radius = lens_radius_of(*settings.f_stop, settings.field_of_view);
+    }
     if (settings.focus_distance) camera.focus_distance = *settings.focus_distance;
     return camera;
 }

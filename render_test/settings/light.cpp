@@ -72,16 +72,20 @@ std::optional<Lights> read_lights(const TomlTable& light, const Vec3f& up) {
     std::vector<DistantLight> distant;
     std::vector<RectangleLight> rectangles;
     std::vector<SphereLight> spheres;
-    for (const TomlTable& table : light.tables("distant"))
+    for (const TomlTable& table : light.tables("distant")) {
         distant.push_back(distant_light(table, strength));
-    for (const TomlTable& table : light.tables("rectangle"))
+    }
+    for (const TomlTable& table : light.tables("rectangle")) {
         rectangles.push_back(rectangle_light(table, up, strength));
-    for (const TomlTable& table : light.tables("sphere"))
+    }
+    for (const TomlTable& table : light.tables("sphere")) {
         spheres.push_back(sphere_light(table, strength));
+    }
     const bool others = !distant.empty() || !rectangles.empty() || !spheres.empty();
     if (sky && file) light.fail("sky", "use a 'sky' or an 'environment', not both");
-    if (rotation && !file)
+    if (rotation && !file) {
         light.fail("rotation_degrees", "'rotation_degrees' needs an 'environment'");
+    }
     if (radius && !sun && !irradiance) {
         light.fail("key_radius_degrees",
                    "'key_radius_degrees' needs a 'key' or 'key_direction'");

@@ -26,7 +26,7 @@ void read_render(const TomlTable& render, PreviewSettings& out) {
     assign_if(out.regularisation, render.number("regularisation", 0, 1));
     assign_if(out.render.path.lobes, render.choice("lobes", kLobeWidthNames));
     assign_if(out.background, colour_value(render, "background", 1e6));
-    assign_if(out.least_width, render.number("min_width_pixels", 0, 10));
+    assign_if(out.min_width, render.number("min_width_pixels", 0, 10));
     out.shutter = render.pair("shutter");
     if (out.shutter && !is_shutter(*out.shutter)) {
         render.fail(

@@ -17,7 +17,7 @@ struct PreviewSettings {
     RenderSettings render;
     bool samples_given = false;  ///< whether the file sets render.samples
     CameraSettings camera;
-    float least_width = 0;         ///< minimum drawn width of a strand, pixels
+    float min_width = 0;           ///< minimum drawn width of a strand, pixels
     float regularisation = 0.5f;   ///< minimum roughness of hair after a path's first
                                    ///< scattering; 0: that of the material
     std::optional<Lights> lights;  ///< unset: default_lights()

@@ -45,10 +45,12 @@ std::vector<std::uint32_t> samples_needed(const Film& film, float noise,
     std::vector<Spread> rows(
         film.samples.size());  // sums over kReach pixels to either side
     tbb::parallel_for(0, height, [&](int y) {
-        for (int x = 0; x < width; ++x)
+        for (int x = 0; x < width; ++x) {
             for (int i = std::max(x - kReach, 0); i <= std::min(x + kReach, width - 1);
-                 ++i)
+                 ++i) {
                 rows[pixel_at(x, y)] += spread_of(film, pixel_at(i, y));
+            }
+        }
     });
     Spread all;
     for (std::size_t i = 0; i < film.samples.size(); ++i) all += spread_of(film, i);
@@ -59,8 +61,9 @@ std::vector<std::uint32_t> samples_needed(const Film& film, float noise,
         for (int x = 0; x < width; ++x) {
             Spread about;
             for (int i = std::max(y - kReach, 0); i <= std::min(y + kReach, height - 1);
-                 ++i)
+                 ++i) {
                 about += rows[pixel_at(x, i)];
+            }
             if (!(about.variance > 0)) continue;
             // In almost black areas an error of a hundredth of the mean is invisible.
             const double here = std::max(about.luminance / about.pixels, 0.01 * mean);

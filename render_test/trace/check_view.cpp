@@ -45,8 +45,9 @@ std::optional<Hit> first_behind(const CheckView& view, Ray ray, const Hit& front
     for (int layer = 0; layer < kMaxLayers; ++layer) {
         hit = apart.intersect(ray);
         if (!hit) break;
-        if (hit->kind == Hit::Kind::strand)
+        if (hit->kind == Hit::Kind::strand) {
             hit->strand.index = view.apart->strands[hit->strand.index];
+        }
         if (hit->distance > front.distance && !is_clean(view, *hit)) break;
         surfaces += hit->kind == Hit::Kind::mesh;
         if (surfaces > 1) hit.reset();
@@ -73,8 +74,9 @@ std::shared_ptr<const StrandsApart> strands_apart(const CheckView& view,
         const std::size_t before = out->strands.size();
         for (std::uint32_t i = curve_class.strand;
              i < curve_class.strand + curve_class.strands; ++i) {
-            if (std::ranges::max(view.values.of(i)) > view.scale.clean.value_or(0))
+            if (std::ranges::max(view.values.of(i)) > view.scale.clean.value_or(0)) {
                 out->strands.push_back(i);
+            }
         }
         chosen.add_class(std::uint32_t(out->strands.size() - before),
                          curve_class.segments);

@@ -81,17 +81,19 @@ Eigen::Vector4f variance_of_mean(const Film& film, std::size_t pixel) {
 void finish_pixel(const Film& film, std::size_t pixel, Image& image) {
     const float share = 1 / float(film.samples[pixel]);
     image.rgba[pixel] *= share;
-    if (!image.rgba[pixel].allFinite())
+    if (!image.rgba[pixel].allFinite()) {
         throw std::runtime_error("pixel " + std::to_string(pixel % image.width) + ", " +
                                  std::to_string(pixel / image.width) +
                                  " is not a finite number: please report this");
+    }
     if (!image.variance.empty()) image.variance[pixel] = variance_of_mean(film, pixel);
     if (!image.objects.empty()) {
         image.objects[pixel].scale(share);
         image.body[pixel] *= share;
     }
-    if (!image.deep.empty())
+    if (!image.deep.empty()) {
         for (DeepSample& s : image.deep[pixel]) s.coverage *= share, s.radiance *= share;
+    }
     if (film.hits[pixel] == 0) return;
     const auto hits = float(film.hits[pixel]);
     image.normal[pixel] /= hits;

@@ -18,17 +18,20 @@ Vec3f groom_radiance(const RenderScene& scene, const Ray& ray, const Hit& hit,
                      Sampler& sampler, RayCounter& counter) {
     const Vec2f light_random = sampler.next(), picks = sampler.next();
     Mat3f frame;
-    if (hit.kind == Hit::Kind::strand && !hit.strand.ribbon)
+    if (hit.kind == Hit::Kind::strand && !hit.strand.ribbon) {
         frame << hit.tangent, hit.strand.facing.cross(hit.tangent), hit.strand.facing;
-    else
+    } else {
         frame = frame_about(hit.shading_normal);
+    }
     std::optional<Blade> blade;
-    if (hit.strand.ribbon)
+    if (hit.strand.ribbon) {
         blade.emplace(scene.blade, scene.hair.colour(hit.strand.id, hit.strand.along),
                       frame.transpose() * -ray.direction);
+    }
     const auto value = [&](const Vec3f& wi) -> Vec3f {
-        if (hit.kind == Hit::Kind::mesh)
+        if (hit.kind == Hit::Kind::mesh) {
             return Lambert(scene.mesh, hit).evaluate(wi).value;
+        }
         if (blade) return blade->evaluate(wi).value;
         return groom_value(scene.hair.colour(hit.strand.id, hit.strand.along), wi);
     };

@@ -37,8 +37,9 @@ CameraHit first_seen(RayCounter& counter, Ray ray, Sampler& sampler) {
         // same strand.
         if (last && hit->kind == Hit::Kind::strand &&
             hit->strand.index == last->strand.index &&
-            hit->distance - last->distance < strand_clearance(*last, ray.direction))
+            hit->distance - last->distance < strand_clearance(*last, ray.direction)) {
             continue;
+        }
         last = hit;
         float share = left * hit->strand.opacity;
         if (left - share < kMinLeft) share = left;
@@ -68,9 +69,10 @@ PathResult trace_path(const RenderScene& scene, const PathSettings& settings, Ra
     result.first = seen.hit;
     result.coverage = seen.coverage;
     path.throughput *= seen.coverage;
-    if (settings.show_environment && seen.coverage < 1)
+    if (settings.show_environment && seen.coverage < 1) {
         path.radiance =
             (1 - seen.coverage) * scene.lights.environment().radiance(ray.direction);
+    }
     if (seen.hit && scene.view) {
         path.radiance +=
             seen.coverage * view_radiance(*scene.view, ray, *seen.hit, path.counter);

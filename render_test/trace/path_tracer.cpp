@@ -62,8 +62,9 @@ bool scatter_by(const Bsdf& bsdf, const Mat3f& frame, const ScatterPoint& point)
     const Vec2f light_random = sampler.next(), picks = sampler.next();
     const Vec2f longitude = sampler.next(), azimuth = sampler.next();
 
-    if (point.settings.sampling != LightSampling::scattering)
+    if (point.settings.sampling != LightSampling::scattering) {
         add_direct_light(point, bsdf, frame, picks.x(), light_random);
+    }
     const std::optional<BsdfSample> sample =
         bsdf.sample(picks.y(), azimuth.x(), longitude);
     if (!sample) return false;
@@ -79,8 +80,9 @@ bool scatters_far(const ScatterPoint& point) {
     const Hit& hit = point.hit;
     // The tables are of round strands.
     if (hit.strand.section.aspect < 1) return false;
-    if (point.settings.lobes != LobeWidth::automatic || point.depth > 0)
+    if (point.settings.lobes != LobeWidth::automatic || point.depth > 0) {
         return point.settings.lobes != LobeWidth::near;
+    }
     const float pixels =
         2 * hit.strand.radius / (hit.distance * point.settings.pixel_angle);
     if (!(pixels > 1 && pixels < 2)) return pixels <= 1;
@@ -101,9 +103,10 @@ bool scatter_on_strand(const ScatterPoint& point) {
     const HairModel& model = hair.model(strand.id);
     const Vec3f sigma_a = hair.sigma_a(strand.id, strand.along);
     const Vec3f wo = -point.path.ray.direction, local = frame.transpose() * wo;
-    if (scatters_far(point))
+    if (scatters_far(point)) {
         return scatter_by(FarHairBsdf(model, hair.far_table(strand.id), sigma_a, local),
                           frame, point);
+    }
     return scatter_by(HairBsdf(model, sigma_a, local, strand.h, strand.section), frame,
                       point);
 }
@@ -111,8 +114,9 @@ bool scatter_on_strand(const ScatterPoint& point) {
 bool scatter(const ScatterPoint& point) {
     const RenderScene& scene = point.scene;
     const Hit& hit = point.hit;
-    if (hit.kind == Hit::Kind::strand && !hit.strand.ribbon)
+    if (hit.kind == Hit::Kind::strand && !hit.strand.ribbon) {
         return scatter_on_strand(point);
+    }
     const Mat3f frame = frame_about(hit.shading_normal);
     const Vec3f wo = -point.path.ray.direction, local = frame.transpose() * wo;
     if (hit.strand.ribbon) {
@@ -120,8 +124,9 @@ bool scatter(const ScatterPoint& point) {
                           local);
         return scatter_by(blade, frame, point);
     }
-    if (scene.mesh.coat_roughness)
+    if (scene.mesh.coat_roughness) {
         return scatter_by(Glossy(scene.mesh, hit, local), frame, point);
+    }
     return scatter_by(Lambert(scene.mesh, hit), frame, point);
 }
 
@@ -142,12 +147,13 @@ void follow_path(const RenderScene& scene, const PathSettings& settings, Hit hit
         }
         if (!scatter({scene, settings, hit, depth, sampler, path})) return;
         const std::optional<Hit> next = path.counter.intersect(path.ray);
-        if (settings.sampling != LightSampling::lights)
+        if (settings.sampling != LightSampling::lights) {
             path.radiance += path.throughput.cwiseProduct(scene.lights.along(
                 path.ray.origin, path.ray.direction, next ? next->distance : path.ray.far,
                 [&](float pdf) {
                     return scattering_weight(settings.sampling, path.pdf, pdf);
                 }));
+        }
         if (!next) return;
         hit = *next;
     }

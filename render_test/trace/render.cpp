@@ -62,9 +62,10 @@ std::uint64_t sample_pixel(const RenderJob& job, const PixelTarget& target, Film
         Sighting sighting{.path = path, .direction = ray.direction};
         if (path.first) {
             sighting.depth = path.first->distance * ray.direction.dot(camera.view());
-            if (settings.channels.motion)
+            if (settings.channels.motion) {
                 sighting.motion =
                     screen_motion(job.scene.times, camera, settings.height, *path.first);
+            }
         }
         add_sample(film, pixel, sighting);
         if (settings.channels.deep) gather_deep(sighting, deep);
@@ -96,7 +97,7 @@ void add_samples(const RenderJob& job, const Pass& pass, Film& film,
         const int x0 = tile % across * kTile, y0 = tile / across * kTile;
         std::uint64_t rays = 0, paths = 0;
         std::vector<DeepSample> deep;
-        for (int y = y0; y < std::min(y0 + kTile, settings.height); ++y)
+        for (int y = y0; y < std::min(y0 + kTile, settings.height); ++y) {
             for (int x = x0; x < std::min(x0 + kTile, settings.width); ++x) {
                 const std::size_t pixel = std::size_t(y) * settings.width + x;
                 const std::uint32_t before = film.samples[pixel];
@@ -105,6 +106,7 @@ void add_samples(const RenderJob& job, const Pass& pass, Film& film,
                 paths += std::uint64_t(end) - before;
                 rays += sample_pixel(job, {x, y, end}, film, deep);
             }
+        }
         const std::lock_guard lock(mutex);
         film.rays += rays;
         film.paths += paths;
@@ -127,15 +129,19 @@ Film empty_film(const RenderScene& scene, const Camera& camera,
                 const RenderSettings& settings) {
     if (!scene.geometry) throw std::invalid_argument("a render needs geometry");
     if (settings.width < 1 || settings.height < 1 || settings.width > 32768 ||
-        settings.height > 32768)
+        settings.height > 32768) {
         throw std::invalid_argument("the sides of a picture must be 1 to 32768 pixels");
-    if (!(settings.noise >= 0) || !std::isfinite(settings.noise))
+    }
+    if (!(settings.noise >= 0) || !std::isfinite(settings.noise)) {
         throw std::invalid_argument("noise must be 0 or more");
+    }
     if (settings.samples < 1) throw std::invalid_argument("samples must be at least 1");
-    if (settings.path.max_depth < 1)
+    if (settings.path.max_depth < 1) {
         throw std::invalid_argument("max_depth must be at least 1");
-    if (settings.channels.deep && settings.path.show_environment)
+    }
+    if (settings.channels.deep && settings.path.show_environment) {
         throw std::invalid_argument("deep images cannot show the environment");
+    }
     Channels channels = settings.channels;
     channels.variance |= settings.noise > 0;
     channels.value |= scene.view != nullptr;
@@ -172,9 +178,10 @@ void render_in_passes(const RenderJob& job, int first, Film& film,
                                          : std::max(from, share_at(film, needed, end));
         add_samples(job, {end, needed, {from, to}}, film, progress);
         from = to;
-        if (settings.noise > 0 && end >= kFirstPass)
+        if (settings.noise > 0 && end >= kFirstPass) {
             needed =
                 samples_needed(film, settings.noise, std::uint32_t(settings.samples));
+        }
         const bool enough = !needed.empty() &&
                             std::ranges::equal(needed, film.samples, std::less_equal<>());
         show(end);

@@ -26,8 +26,9 @@ inline Curves curves_through(const std::vector<std::vector<Vec3f>>& rows, float 
     curves.tangents = Buffer<Point4f>(hermite ? curves.points.size() : 0);
     curves.segments = Buffer<std::uint32_t>(curves.segment_count());
     std::size_t out = 0;
-    for (std::uint32_t j = 0; j < curves.segments.size(); ++j)
+    for (std::uint32_t j = 0; j < curves.segments.size(); ++j) {
         curves.segments[j] = curves.place_of(j).point;
+    }
     for (std::uint32_t i = 0; i < curves.strands; ++i) {
         for (std::uint32_t j = 0; j < curves.points_of(i); ++j) {
             const auto& row = rows[i];
@@ -52,7 +53,7 @@ inline Curves curves_through(const std::vector<std::vector<Vec3f>>& rows, float 
 inline TriangleMesh sphere_mesh(int around = 96, int down = 48, float radius = 9) {
     TriangleMesh mesh;
     constexpr float kTurn = 2 * kPif;
-    for (int y = 0; y <= down; ++y)
+    for (int y = 0; y <= down; ++y) {
         for (int x = 0; x <= around; ++x) {
             const float a = kTurn * float(x) / float(around),
                         b = kTurn / 2 * float(y) / float(down);
@@ -60,12 +61,14 @@ inline TriangleMesh sphere_mesh(int around = 96, int down = 48, float radius = 9
                                                     std::cos(b),
                                                     std::sin(b) * std::sin(a)));
         }
-    for (int y = 0; y < down; ++y)
+    }
+    for (int y = 0; y < down; ++y) {
         for (int x = 0; x < around; ++x) {
             const std::uint32_t a = y * (around + 1) + x, b = a + around + 1;
             mesh.triangles.push_back({a, a + 1, b + 1});
             mesh.triangles.push_back({a, b + 1, b});
         }
+    }
     return mesh;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The check views of lancret preview: which figure, of which function, on which scale.
+// The check views of lancret preview: their figures and colour scales.
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -13,13 +13,14 @@
 namespace lancret {
 
 enum class View {
-    length_error,   ///< relative, of the strand as synthesised, up to the check's limit
-    orthogonality,  ///< of the frames, up to the check's limit
+    length_error,   ///< relative, of the strand as synthesised, up to the limit of the
+                    ///< check
+    orthogonality,  ///< of the frames, up to the limit of the check
     curvature,      ///< 1/cm
     torsion,        ///< 1/cm
-    influence,      ///< which guides a strand follows, each a colour, mixed by weight
-    region,         ///< of the scalp
-    penetration,    ///< cm, of the strand's deepest place below the surface
+    influence,    ///< the guides that a strand follows: one colour each, mixed by weight
+    region,       ///< scalp region of the root
+    penetration,  ///< greatest depth of the strand below the surface, cm
 };
 
 struct ViewName {
@@ -37,10 +38,11 @@ std::optional<View> view_named(std::string_view name);
 
 struct ViewRequest {
     View view = View::curvature;
-    std::optional<Vec2> range;  ///< at the ends of the colours; none: by the view's kind
+    std::optional<Vec2>
+        range;  ///< at the ends of the colour scale; unset: chosen by the view
 };
 
-/// Throws InputError where the view has no scale or its scale cannot have the range.
+/// Throws InputError if the view has no scale or its scale cannot have the range.
 void check_range(const ViewRequest& request);
 
 /// The strands that a view shows. References must outlive it.
@@ -55,14 +57,14 @@ struct ViewSubject {
 /// Throws InputError if the groom lacks what the view shows.
 CheckView view_of(const ViewRequest& request, const ViewSubject& subject);
 
-/// Makes the view's scale that of the pictures to come, where nothing else was asked for.
+/// Keeps the scale of the view for later pictures, unless a range was requested.
 void keep_range(const CheckView& view, ViewRequest& request);
 
-/// cm, [strands]: how far the deepest place of each emitted curve is behind `surface`, 0
-/// where it is nowhere. Looks at both ends and the middle of every segment.
+/// Greatest depth of each emitted curve below `surface`, cm, [strands]; 0 if it is
+/// outside. Tests both ends and the middle of every segment.
 StrandValues penetration_values(const Curves& curves, const TriangleMesh& surface);
 
-/// The largest figure and where it is, how many strands are beyond the limit: as a line,
+/// The largest figure, its strand, and the number of strands above the limit: as a line,
 /// and for --stats.
 std::string view_line(const ViewRequest& request, const CheckView& view);
 nlohmann::json view_json(const ViewRequest& request, const CheckView& view);

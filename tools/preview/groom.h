@@ -1,5 +1,5 @@
 #pragma once
-// The groom that a preview shows, as the plugin gives it; and what that cost.
+// The groom of a preview, opened through the plugin, and its statistics.
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -9,16 +9,16 @@
 
 namespace lancret {
 
-/// Opens the groom of a job, its stages on a terminal and its warnings on stderr. Throws
-/// InputError.
+/// Opens the groom of a job; shows its stages on a terminal and prints its warnings to
+/// stderr. Throws InputError.
 std::unique_ptr<PluginGroom> open_groom(const Job& job);
 
-/// Tells on stderr what binding had to work around.
+/// Prints fallbacks of binding to stderr.
 void print_binding_report(const PluginStrands& strands);
 
-/// lancret_groom_describe's, and {strands, intervals, seconds.{load, fit, bind},
-/// bytes.{binding, binding_per_strand}, bind.{...}: bind_json}; seconds.bind without
-/// that of the chunks.
+/// The JSON of lancret_groom_describe, plus {strands, intervals, seconds.{load, fit,
+/// bind}, bytes.{binding, binding_per_strand}, bind: as of bind_json}. seconds.bind
+/// excludes the binding of chunks.
 nlohmann::json groom_stats(const PluginGroom& groom, const PluginStrands& strands);
 
 }  // namespace lancret

@@ -8,7 +8,7 @@ namespace lancret {
 
 namespace {
 
-/// More than any picture has: a chunk that is partly behind the camera.
+/// More pixels than any picture has: for a chunk that is partly behind the camera.
 constexpr double kAll = 1e30;
 
 double pixels_of(const Eigen::AlignedBox3f& box, const Camera& camera, int height) {

@@ -1,5 +1,5 @@
 #pragma once
-// Level of detail of a preview: how large each chunk of strands is in its pictures.
+// Level of detail of a preview: the size of each chunk of strands in its pictures.
 
 #include <span>
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace lancret {
 
-/// [chunks], pixels: the rectangle round what a camera sees of a chunk's box, of that
-/// camera which sees most of it. The box is of the groom's first time, so that nothing
-/// pops with time. Throws InputError.
+/// Area of each chunk in pixels, [chunks]: that of the rectangle around its projected
+/// box, the largest over all cameras. The box is that of the groom's first time, so that
+/// nothing pops over time. Throws InputError.
 std::vector<double> chunk_pixels(const PluginGroom& groom,
                                  std::span<const Camera> cameras, int height);
 

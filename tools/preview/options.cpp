@@ -113,7 +113,7 @@ void set_override(const PreviewOptions& options, const ChosenFrames& chosen,
         render.noise = 0;
         settings.shutter.reset();
         settings.camera.f_stop.reset();
-        settings.least_width = 0;
+        settings.min_width = 0;
         settings.background = Vec3f::Constant(0.012f);
     }
     settings.denoise = options.denoise || options.draft;

@@ -204,9 +204,8 @@ void PreviewRun::grow_scene(std::size_t i, const std::vector<double>& times,
         groom_stats_ = groom_stats(*groom_, *strands);
     }
     moments_.clear();
-    moments_ =
-        grow(*groom_, *strands, times,
-             {cameras_, settings.render.height, settings.least_width, shape_}, cost);
+    moments_ = grow(*groom_, *strands, times,
+                    {cameras_, settings.render.height, settings.min_width, shape_}, cost);
     // Strands keep the shape of the first picture, so that nothing pops.
     shape_ = moments_.front().curves.shape;
     if (plan_.view) set_view(*strands);

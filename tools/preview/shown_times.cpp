@@ -38,10 +38,10 @@ std::vector<ShownTime> grow(const PluginGroom& groom, const PluginStrands& stran
         out.push_back({times[i], std::move(curves[i]), groom.head(times[i]), {}});
     }
     if (!drawing.shape) choose_shape(drawing, out);
-    if (!(drawing.least_width > 0)) return out;
+    if (!(drawing.min_width > 0)) return out;
     for (ShownTime& m : out) {
         m.true_radii = widen_thin_strands(m.curves, drawing.cameras, drawing.height,
-                                          drawing.least_width);
+                                          drawing.min_width);
     }
     return out;
 }

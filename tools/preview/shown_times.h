@@ -24,7 +24,7 @@ struct ShownTime {
 struct StrandDrawing {
     std::span<const Camera> cameras;  ///< of all pictures of these strands
     int height = 0;                   ///< of the pictures, pixels
-    float least_width = 0;            ///< minimum width in any picture, pixels
+    float min_width = 0;              ///< minimum width in any picture, pixels
     std::optional<CurveShape> shape;  ///< unset: round if a strand is wide in any picture
 };
 

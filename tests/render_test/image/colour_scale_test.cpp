@@ -54,15 +54,17 @@ TEST(ColourScale, CategoriesNearInNumberAreFarInColour) {
                     : a % 3 == 1 ? 0.58f
                                  : 0.8f,
                     kTolerance);
-        for (std::uint32_t b = a + 1; b < a + 6; ++b)
+        for (std::uint32_t b = a + 1; b < a + 6; ++b) {
             EXPECT_GT((category_colour(a) - category_colour(b)).norm(), 0.1f)
                 << a << ' ' << b;
+        }
     }
 }
 
 TEST(ColourScale, NoColourOfAScaleIsTakenForAFailure) {
-    for (int i = 0; i <= 100; ++i)
+    for (int i = 0; i <= 100; ++i) {
         EXPECT_GT((sequential_colour(float(i) / 100) - kFailColour).norm(), 0.3f) << i;
+    }
 }
 
 }  // namespace

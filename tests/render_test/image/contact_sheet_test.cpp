@@ -13,7 +13,7 @@ Image plain(int width, int height, const Eigen::Vector4f& colour) {
 
 TEST(ContactSheet, HasAPlaceForEachPictureWithinItsBounds) {
     for (const std::size_t pictures :
-         {1u, 2u, 5u, 12u, 48u, 96u, 240u, 256u, 257u, 5000u})
+         {1u, 2u, 5u, 12u, 48u, 96u, 240u, 256u, 257u, 5000u}) {
         for (const auto& [width, height] :
              {std::pair{640, 640}, {1920, 1080}, {32, 900}, {7, 5}, {16384, 1}}) {
             const ContactSheet sheet =
@@ -28,12 +28,14 @@ TEST(ContactSheet, HasAPlaceForEachPictureWithinItsBounds) {
             EXPECT_LE(sheet.tile_width, width);
             EXPECT_LE(sheet.tile_height, height);
         }
+    }
 }
 
 TEST(ContactSheet, EachPictureStandsInItsPlaceOverTheBackground) {
     ContactSheet sheet = make_contact_sheet(6, 800, 600, Vec3f::Constant(0.5f));
-    for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t i = 0; i < 6; ++i) {
         add_picture(sheet, i, plain(800, 600, {0.1f * float(i), 0, 0, 0.5f}), "");
+    }
     for (int i = 0; i < 6; ++i) {
         const int x = i % sheet.columns * (sheet.tile_width + kSheetGap);
         const int y = i / sheet.columns * (sheet.tile_height + kSheetGap);
@@ -73,15 +75,17 @@ TEST(ContactSheet, APictureIsReducedToItsMeans) {
 
 TEST(DrawText, ThatLeavesThePictureIsCutAtItsEdge) {
     Image whole(200, 60), cut(40, 60);
-    if (!draw_text(whole, 10, 30, "orthogonality", 16, Vec3f::Ones()))
+    if (!draw_text(whole, 10, 30, "orthogonality", 16, Vec3f::Ones())) {
         GTEST_SKIP() << "no font here";
+    }
     EXPECT_TRUE(draw_text(cut, 10, 30, "orthogonality", 16, Vec3f::Ones()));
     float ink = 0;
-    for (int y = 0; y < 60; ++y)
+    for (int y = 0; y < 60; ++y) {
         for (int x = 0; x < 40; ++x) {
             EXPECT_EQ(cut.rgba[y * 40 + x], whole.rgba[y * 200 + x]) << x << ' ' << y;
             ink += cut.rgba[y * 40 + x].x();
         }
+    }
     EXPECT_GT(ink, 10);
     for (const auto& [x, y] : {std::pair{300, 30}, {-500, 30}, {10, -90}, {10, 400}}) {
         const Image before = cut;

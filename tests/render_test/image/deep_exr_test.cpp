@@ -89,7 +89,7 @@ std::vector<std::vector<DeepPoint>> read_deep(const fs::path& path) {
     }
     file.readPixels(0, height - 1);
     std::vector<std::vector<DeepPoint>> out(pixels);
-    for (std::size_t i = 0; i < pixels; ++i)
+    for (std::size_t i = 0; i < pixels; ++i) {
         for (unsigned s = 0; s < counts[i]; ++s) {
             DeepPoint point;
             point.rgba << values[0][i][s], values[1][i][s], values[2][i][s],
@@ -99,6 +99,7 @@ std::vector<std::vector<DeepPoint>> read_deep(const fs::path& path) {
             point.id = std::bit_cast<std::uint32_t>(values[6][i][s]);
             out[i].push_back(point);
         }
+    }
     return out;
 }
 
@@ -114,9 +115,10 @@ void expect_flat(const Image& image, std::size_t least_of_most) {
     std::size_t most = 0;
     for (std::size_t i = 0; i < deep.size(); ++i) {
         const Eigen::Vector4f flat = flattened(deep[i]);
-        for (int c = 0; c < 4; ++c)
+        for (int c = 0; c < 4; ++c) {
             EXPECT_NEAR(flat[c], image.rgba[i][c],
                         half_bound(image.rgba[i][c], deep[i].size()));
+        }
         most = std::max(most, deep[i].size());
     }
     EXPECT_GE(most, least_of_most);
@@ -136,7 +138,7 @@ TEST(ImageDeep, FlattensToThePictureOfThinStrands) {
 
 TEST(ImageDeep, SamplesAreTidy) {
     const Image image = Ball().image();
-    for (const auto& pixel : read_deep(written(image)))
+    for (const auto& pixel : read_deep(written(image))) {
         for (std::size_t s = 0; s < pixel.size(); ++s) {
             EXPECT_TRUE(pixel[s].rgba.allFinite());
             EXPECT_GT(pixel[s].depth, s > 0 ? pixel[s - 1].depth : 0.0f);
@@ -144,6 +146,7 @@ TEST(ImageDeep, SamplesAreTidy) {
             EXPECT_LE(pixel[s].rgba.w(), 1);
             EXPECT_TRUE(pixel[s].id < 1500 || pixel[s].id == kMeshId);
         }
+    }
 }
 
 TEST(ImageDeep, TwoHalvesAtADepthComposeToTheWhole) {
@@ -169,11 +172,13 @@ TEST(ImageDeep, PointsInFrontOfACardKeepTheirCoverage) {
     const auto deep = read_deep(written(image));
     for (std::size_t i = 0; i < deep.size(); ++i) {
         float before = 0;
-        for (const DeepSample& s : image.deep[i])
+        for (const DeepSample& s : image.deep[i]) {
             before += s.depth < ball.cut ? s.coverage : 0;
+        }
         std::vector<DeepPoint> near;
-        for (const DeepPoint& p : deep[i])
+        for (const DeepPoint& p : deep[i]) {
             if (p.depth < ball.cut) near.push_back(p);
+        }
         EXPECT_NEAR(flattened(near).w(), before, half_bound(before, near.size()));
     }
 }

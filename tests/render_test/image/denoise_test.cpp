@@ -22,9 +22,10 @@ struct Ball : HairyBall {
 
 double colour_error(const Image& image, const Image& reference) {
     double squares = 0;
-    for (std::size_t i = 0; i < image.rgba.size(); ++i)
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
         squares +=
             double((image.rgba[i] - reference.rgba[i]).head<3>().squaredNorm()) / 3;
+    }
     return std::sqrt(squares / double(image.rgba.size()));
 }
 
@@ -61,11 +62,12 @@ TEST(Denoise, AlmostKeepsPicturesOfManySamples) {
     Ball ball;
     Image image = ball.image(128, 0);
     const Image before = image;
-    double told = 0;
-    for (const auto& variance : image.variance) told += double(variance.head<3>().sum());
+    double estimated = 0;
+    for (const auto& variance : image.variance)
+        estimated += double(variance.head<3>().sum());
     denoise(image);
     const double change = colour_error(image, before);
-    EXPECT_LT(change, std::sqrt(told / 3 / double(image.rgba.size())));
+    EXPECT_LT(change, std::sqrt(estimated / 3 / double(image.rgba.size())));
     EXPECT_GT(change, 0);
 }
 
@@ -73,7 +75,7 @@ TEST(Denoise, AlmostKeepsPicturesOfManySamples) {
 Image linear_picture() {
     Image image(50, 40);
     image.variance.resize(image.rgba.size(), Eigen::Vector4f::Constant(1));
-    for (int y = 0; y < 40; ++y)
+    for (int y = 0; y < 40; ++y) {
         for (int x = 0; x < 50; ++x) {
             const std::size_t i = std::size_t(y) * 50 + x;
             const float a = 0.3f * float(x), b = 0.2f * float(y);
@@ -83,6 +85,7 @@ Image linear_picture() {
             image.rgba[i] << 2 + image.normal[i].x(), 2 + image.tangent[i].z(),
                 3 - image.normal[i].y(), 1;
         }
+    }
     return image;
 }
 
@@ -94,8 +97,9 @@ TEST(Denoise, KeepsWhatTheGuidesExplain) {
     // function, except for the ridge, 1e-6 of slopes whose guides have a spread of some
     // hundredths in a window, and for single precision times the condition, which is as
     // large.
-    for (std::size_t i = 0; i < image.rgba.size(); ++i)
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
         EXPECT_LT((image.rgba[i] - before.rgba[i]).cwiseAbs().maxCoeff(), 2e-3f);
+    }
 }
 
 TEST(Denoise, NoNoiseIsNoChange) {
@@ -104,10 +108,11 @@ TEST(Denoise, NoNoiseIsNoChange) {
     for (auto& variance : image.variance) variance.setZero();
     const Image before = image;
     denoise(image);
-    for (std::size_t i = 0; i < image.rgba.size(); ++i)
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
         // filtered + (colour - filtered): two roundings.
         EXPECT_LT((image.rgba[i] - before.rgba[i]).cwiseAbs().maxCoeff(),
                   1e-6f * (1 + before.rgba[i].maxCoeff()));
+    }
 }
 
 TEST(Denoise, KeepsCoverageAndAddsNoLightWithoutIt) {

@@ -165,15 +165,18 @@ TEST(Cryptomatte, IdsAreThoseOfThePublishedPictures) {
 TEST(Cryptomatte, EveryIdIsANormalFloat) {
     // Its hash, 7fcdfb30, would be NaN.
     EXPECT_EQ(cryptomatte_id("strand_139"), 0x7f4dfb30u);
-    for (std::uint32_t strand = 0; strand < 5000; ++strand)
+    for (std::uint32_t strand = 0; strand < 5000; ++strand) {
         EXPECT_TRUE(std::isnormal(cryptomatte_float(object_name(strand))));
+    }
 }
 
 TEST(RankedIds, FewIdsAreExact) {
     RankedIds ids;
-    for (int round = 0; round < 5; ++round)
-        for (std::uint32_t id = 1; id <= RankedIds::kSlots; ++id)
+    for (int round = 0; round < 5; ++round) {
+        for (std::uint32_t id = 1; id <= RankedIds::kSlots; ++id) {
             ids.add(id, float(id) / 8);
+        }
+    }
     const auto ranks = ids.ranks<3>();
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(ranks[i].id, RankedIds::kSlots - i);

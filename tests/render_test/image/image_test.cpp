@@ -42,12 +42,13 @@ TEST(Image, PngComesBackWithinHalfAStepOfItsCode) {
     const Texture map = read_texture(path);
     ASSERT_EQ(map.width, 5);
     ASSERT_EQ(map.height, 3);
-    for (std::size_t i = 0; i < 15; ++i)
+    for (std::size_t i = 0; i < 15; ++i) {
         for (int c = 0; c < 3; ++c) {
             const float over = image.rgba[i][c] + 0.5f * background[c];
             EXPECT_NEAR(srgb_of_linear(map.texels[i][c]), srgb_of_linear(over),
                         0.5f / 255 + 1e-5f);
         }
+    }
 }
 
 TEST(Image, PngWithAlphaIsNotPremultiplied) {
@@ -65,8 +66,9 @@ TEST(Image, FloatPicturesAreReadUnchanged) {
     const Image image = small_image();
     write_image(path, image);
     const Texture map = read_texture(path);
-    for (std::size_t i = 0; i < 15; ++i)
+    for (std::size_t i = 0; i < 15; ++i) {
         EXPECT_EQ(map.texels[i], Vec3f(image.rgba[i].head<3>()));
+    }
 }
 
 TEST(Image, NothingIsLeftBesideTheFile) {

@@ -79,7 +79,7 @@ TEST(Environment, SampledIntegralIsTheUniformOne) {
 TEST(Environment, AlongIsRadianceAndDensity) {
     const Environment environments[] = {Environment(uneven_map()),
                                         Environment(Vec3f(1, 2, 3))};
-    for (const Environment& environment : environments)
+    for (const Environment& environment : environments) {
         for (std::uint32_t i = 0; i < 100; ++i) {
             const Vec3f d = uniform_sphere(Sampler(5, i, 0).next());
             const LightSample along = environment.along(d);
@@ -87,6 +87,7 @@ TEST(Environment, AlongIsRadianceAndDensity) {
             EXPECT_EQ(along.radiance, environment.radiance(d));
             EXPECT_EQ(along.pdf, environment.pdf(d));
         }
+    }
 }
 
 TEST(Environment, UpAxisIsTheMapsTop) {

@@ -45,7 +45,7 @@ void compare_samplings(Lights lights) {
     const Made made(std::move(lights));
     double squares = 0;
     int tests = 0;
-    for (int y = 0; y < 5; ++y)
+    for (int y = 0; y < 5; ++y) {
         for (int x = 0; x < 5; ++x) {
             Ray ray;
             ray.origin = Vec3f(3.1f * float(x - 2), 3.3f * float(y - 2), 40);
@@ -67,6 +67,7 @@ void compare_samplings(Lights lights) {
                 ++tests;
             }
         }
+    }
     // The pairs at one pixel share `both`, so their z are correlated by at most a half,
     // and the sum of squares has twice the variance of a chi-square. Its p-value,
     // computed with half as many degrees of freedom, is wrong at most once in 1e4.
@@ -108,9 +109,11 @@ TEST(LightSampling, ALightWithinTheGroomIsTheSameByEitherWayAndBoth) {
 TEST(LightSampling, AStrandBeyondALightDoesNotShadeIt) {
     // A plate, a ball of light above it, and a plate above both that occludes nothing.
     TriangleMesh plates;
-    for (const float z : {0.0f, 10.0f})
-        for (const Vec3f& p : {Vec3f(-90, -90, z), Vec3f(90, -90, z), Vec3f(0, 180, z)})
+    for (const float z : {0.0f, 10.0f}) {
+        for (const Vec3f& p : {Vec3f(-90, -90, z), Vec3f(90, -90, z), Vec3f(0, 180, z)}) {
             plates.positions.push_back(p);
+        }
+    }
     plates.triangles = {{0, 1, 2}, {3, 4, 5}};
     const Curves none = curves_through({}, 0.1f);
     const HairScene geometry(none, &plates);

@@ -18,7 +18,7 @@ TEST(Blade, WhiteWithoutACoatScattersAllLightWithWeightOne) {
     // Value over density is the colour times (1 - t) / (1 - t): two products and a
     // quotient in float.
     Random random{std::mt19937(1)};
-    for (const float t : {0.0f, 0.3f, 1.0f})
+    for (const float t : {0.0f, 0.3f, 1.0f}) {
         for (int i = 0; i < 2000; ++i) {
             const Blade surface(blade(t), Vec3f::Ones(), viewer(1.5f * random()));
             const float pick = random();
@@ -26,6 +26,7 @@ TEST(Blade, WhiteWithoutACoatScattersAllLightWithWeightOne) {
             ASSERT_TRUE(s);
             ASSERT_NEAR(s->at.value.x() / s->at.pdf, 1, 4e-7);
         }
+    }
 }
 
 TEST(Blade, LeavesOnEitherSideByItsTranslucency) {
@@ -44,7 +45,7 @@ TEST(Blade, LeavesOnEitherSideByItsTranslucency) {
 }
 
 TEST(Blade, GainsNoEnergyAndSamplingAgreesUnderACoat) {
-    for (const float roughness : {0.3f, 0.7f})
+    for (const float roughness : {0.3f, 0.7f}) {
         for (const float angle : {0.0f, 0.8f, 1.45f}) {
             const Blade surface(blade(0.4f, roughness), Vec3f::Ones(), viewer(angle));
             Random random{std::mt19937(3)};
@@ -63,6 +64,7 @@ TEST(Blade, GainsNoEnergyAndSamplingAgreesUnderACoat) {
             EXPECT_NEAR(chosen.value(), uniform.value(),
                         kSigmas * std::hypot(chosen.error(), uniform.error()));
         }
+    }
 }
 
 TEST(Blade, AWhiteCoatLosesTheSameOnEitherSide) {

@@ -37,7 +37,7 @@ TEST(FarLobes, AreTheMeanOfNearLobesOverTheOffset) {
     // 24 times a second derivative by gamma of at most 4 D'' + 4 D' + D (angles turn by
     // at most 2 per step), D' <= 0.1 / s^2, D <= 0.25 / s. All terms are multiplied by M,
     // whose largest lobe bounds the others.
-    for (const float beta : {0.2f, 0.3f, 0.5f, 1.0f})
+    for (const float beta : {0.2f, 0.3f, 0.5f, 1.0f}) {
         for (const int row : {2, 9, 20, kFarRows}) {
             const HairModel model(material(0.4f, beta, 0.05f, 0.15f));
             const FarTable table(model);
@@ -51,21 +51,23 @@ TEST(FarLobes, AreTheMeanOfNearLobesOverTheOffset) {
             const FarHairBsdf far(model, table, model.sigma_a, wo);
             const double largest =
                 1 / (model.variance.minCoeff() * model.spread.minCoeff());
-            for (int i = 0; i <= 24; ++i)
+            for (int i = 0; i <= 24; ++i) {
                 for (const double t : {-0.3, 0.1}) {
                     const Vec3f wi = direction(t - inclination, M_PI * i / 24);
                     EXPECT_NEAR(far.evaluate(wi).value.x(),
                                 mean_over_offsets(model, wo, wi), largest * (phi + gamma))
                         << beta << ' ' << row << ' ' << i;
                 }
+            }
         }
+    }
 }
 
 TEST(FarLobes, AreWithinAPercentOfThatMeanAtAnyInclinationAndAbsorption) {
     // The accuracy stated in docs/rendering.md for azimuthal roughness of 0.2 and more:
     // root mean square over directions, relative to the mean there.
-    for (const float beta : {0.2f, 0.3f, 0.5f, 1.0f})
-        for (const float sigma_a : {0.0f, 0.2f, 1.0f, 4.0f})
+    for (const float beta : {0.2f, 0.3f, 0.5f, 1.0f}) {
+        for (const float sigma_a : {0.0f, 0.2f, 1.0f, 4.0f}) {
             for (const float inclination : {0.0f, -0.63f, 1.01f, 1.4f}) {
                 const HairModel model(material(0.4f, beta, 0.05f, sigma_a));
                 const FarTable table(model);
@@ -80,6 +82,8 @@ TEST(FarLobes, AreWithinAPercentOfThatMeanAtAnyInclinationAndAbsorption) {
                 EXPECT_LT(std::sqrt(squares) / sum, 0.01)
                     << beta << ' ' << sigma_a << ' ' << inclination;
             }
+        }
+    }
 }
 
 TEST(FarLobes, WhiteFurnaceScattersAllLight) {
@@ -88,8 +92,8 @@ TEST(FarLobes, WhiteFurnaceScattersAllLight) {
     // 24 of M there, of which that of R, at most 1 / v = 153 at roughness 0.1, makes
     // 4e-4; rounding of energies is 1e-6.
     constexpr int kRows = 400;
-    for (const float beta_m : {0.1f, 0.4f, 1.0f})
-        for (const float beta_n : {0.3f, 1.0f})
+    for (const float beta_m : {0.1f, 0.4f, 1.0f}) {
+        for (const float beta_n : {0.3f, 1.0f}) {
             for (const float tilt : {0.0f, 0.06f, -0.2f}) {
                 const HairModel model(material(beta_m, beta_n, tilt, 0));
                 const FarTable table(model);
@@ -97,7 +101,7 @@ TEST(FarLobes, WhiteFurnaceScattersAllLight) {
                     const FarHairBsdf far(model, table, model.sigma_a,
                                           viewer(inclination));
                     double sum = 0, pdf = 0;
-                    for (int i = 0; i < kRows; ++i)
+                    for (int i = 0; i < kRows; ++i) {
                         for (int j = 0; j < table.cells; ++j) {
                             const double t = M_PI * ((i + 0.5) / kRows - 0.5);
                             const BsdfValue at = far.evaluate(
@@ -105,12 +109,15 @@ TEST(FarLobes, WhiteFurnaceScattersAllLight) {
                             sum += at.value.x() * std::cos(t);
                             pdf += at.pdf * std::cos(t);
                         }
+                    }
                     const double area = 2 * M_PI * M_PI / kRows / table.cells;
                     EXPECT_NEAR(sum * area, 1, 4e-4)
                         << beta_m << ' ' << beta_n << ' ' << tilt << ' ' << inclination;
                     EXPECT_NEAR(pdf * area, 1, 4e-4);
                 }
             }
+        }
+    }
 }
 
 TEST(FarLobes, WhiteFurnaceBySamplingHasWeightOneForEverySample) {
@@ -163,14 +170,17 @@ TEST(FarLobes, SampledDirectionsFollowTheDensity) {
 TEST(SlowFarLobes, SampledDirectionsFollowTheDensityEverywhere) {
     // 24 tests of a million samples; in all, one is wrong by chance once in 100 runs.
     unsigned seed = 10;
-    for (const float beta : {0.1f, 0.3f, 0.6f, 1.0f})
-        for (const float inclination : {0.0f, 0.8f, -1.2f})
-            for (const float sigma_a : {0.0f, 1.0f})
+    for (const float beta : {0.1f, 0.3f, 0.6f, 1.0f}) {
+        for (const float inclination : {0.0f, 0.8f, -1.2f}) {
+            for (const float sigma_a : {0.0f, 1.0f}) {
                 EXPECT_GT(
                     sampling_chance(material(beta, beta, 0.06f, sigma_a), inclination,
                                     1000000, beta < 0.2f ? 48 : 24, ++seed),
                     0.01 / 24)
                     << beta << ' ' << inclination << ' ' << sigma_a;
+            }
+        }
+    }
 }
 
 TEST(FarLobes, SampledEnergyIsTheTables) {
@@ -196,7 +206,7 @@ TEST(FarLobes, MorePigmentScattersLessLightInEveryDirection) {
     // Beyond an absorption of 10 per radius the rest of TT is below a rounding of R.
     const HairModel model(material(0.4f, 0.3f, 0.05f, 0));
     const FarTable table(model);
-    for (const float inclination : {0.0f, 0.8f, 1.5f})
+    for (const float inclination : {0.0f, 0.8f, 1.5f}) {
         for (int i = 0; i <= 12; ++i) {
             const Vec3f wi = direction(0.2 - inclination, M_PI * i / 12);
             float last = std::numeric_limits<float>::infinity();
@@ -209,6 +219,7 @@ TEST(FarLobes, MorePigmentScattersLessLightInEveryDirection) {
                 last = value;
             }
         }
+    }
 }
 
 TEST(FarLobes, OneTableServesEachChannelsAbsorption) {
@@ -224,13 +235,13 @@ TEST(FarLobes, OneTableServesEachChannelsAbsorption) {
 }
 
 TEST(FarLobes, NothingIsNanAtTheEdges) {
-    for (const float beta : {0.01f, 0.3f, 1.0f})
+    for (const float beta : {0.01f, 0.3f, 1.0f}) {
         for (const float eta : {1.01f, 1.55f, 5.0f}) {
             HairMaterial m = material(beta, beta, 0.05f, 0);
             m.eta = eta;
             const HairModel model(m);
             const FarTable table(model);
-            for (const float sigma_a : {0.0f, 1e-6f, 1.0f, 1e4f, 1e30f})
+            for (const float sigma_a : {0.0f, 1e-6f, 1.0f, 1e4f, 1e30f}) {
                 for (const float x : {-1.0f, -0.99999f, 0.0f, 1e-20f, 1.0f}) {
                     const Vec3f wo(x, 0, std::sqrt(1 - x * x));
                     const FarHairBsdf far(model, table, Vec3f::Constant(sigma_a), wo);
@@ -240,7 +251,7 @@ TEST(FarLobes, NothingIsNanAtTheEdges) {
                         ASSERT_TRUE(at.value.allFinite() && std::isfinite(at.pdf));
                         ASSERT_TRUE(at.value.minCoeff() >= 0 && at.pdf >= 0);
                     }
-                    for (const float r : {0.0f, 0.25f, 0.5f, 0x1.fffffep-1f})
+                    for (const float r : {0.0f, 0.25f, 0.5f, 0x1.fffffep-1f}) {
                         for (const float a : {0.0f, 0.5f, 0x1.fffffep-1f}) {
                             const auto sample = far.sample(r, a, {a, r});
                             if (!sample) continue;
@@ -248,8 +259,11 @@ TEST(FarLobes, NothingIsNanAtTheEdges) {
                             ASSERT_NEAR(sample->direction.norm(), 1, 1e-5);
                             ASSERT_TRUE(sample->at.value.allFinite());
                         }
+                    }
                 }
+            }
         }
+    }
 }
 
 }  // namespace

@@ -37,10 +37,11 @@ TEST(Glossy, SampledDirectionsFollowTheDensityWithinTheUpperHalf) {
         for (int i = 0; i < kCount; ++i) {
             const float pick = random();
             const auto sample = surface.sample(pick, 0, random.pair());
-            if (sample)
+            if (sample) {
                 bins.add(sample->direction);
-            else
+            } else {
                 ++lost;
+            }
         }
         auto expected =
             bins.integrals([&](const Vec3f& d) { return surface.evaluate(d).pdf; }, 24);
@@ -69,7 +70,7 @@ TEST(Glossy, IsReciprocal) {
 }
 
 TEST(Glossy, GainsNoEnergyAndSamplingAgrees) {
-    for (const float roughness : {0.1f, 0.4f, 1.0f})
+    for (const float roughness : {0.1f, 0.4f, 1.0f}) {
         for (const float angle : {0.0f, 0.8f, 1.4f}) {
             const Glossy surface(coated(roughness, Vec3f::Ones()), Hit(), viewer(angle));
             Random random{std::mt19937(11)};
@@ -79,14 +80,16 @@ TEST(Glossy, GainsNoEnergyAndSamplingAgrees) {
                 const auto s = surface.sample(pick, 0, random.pair());
                 chosen.add(s ? s->at.value.x() / s->at.pdf : 0);
                 const Vec3f wi = cosine_hemisphere(random.pair());
-                if (wi.z() > 1e-4f)
+                if (wi.z() > 1e-4f) {
                     uniform.add(surface.evaluate(wi).value.x() * M_PI / wi.z());
+                }
             }
             EXPECT_LT(chosen.value(), 1 + kSigmas * chosen.error());
             if (roughness < 0.4f) continue;  // a highlight that few cosines find
             EXPECT_NEAR(chosen.value(), uniform.value(),
                         kSigmas * std::hypot(chosen.error(), uniform.error()));
         }
+    }
 }
 
 TEST(Glossy, AWhiteCoatLosesOnlyWhatFacetsAndTheCoatsInsideKeep) {

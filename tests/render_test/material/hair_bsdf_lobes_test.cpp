@@ -87,7 +87,7 @@ TEST(HairBsdf, WhiteFurnaceHoldsAtEveryRoughnessAndTilt) {
     // reaches 1 / v there only if the lobe extends to the pole, which it does not for
     // these viewers.
     constexpr int kRows = 1440, kColumns = 720;
-    for (const float beta : {0.05f, 0.1f, 0.2f, 0.4f, 0.7f, 1.0f})
+    for (const float beta : {0.05f, 0.1f, 0.2f, 0.4f, 0.7f, 1.0f}) {
         for (const float tilt : {-0.3f, 0.0f, 0.035f, 0.15f}) {
             const HairModel model(material(beta, beta, tilt, 0));
             const HairBsdf bsdf(model, viewer(0.5f), 0.3f);
@@ -104,6 +104,7 @@ TEST(HairBsdf, WhiteFurnaceHoldsAtEveryRoughnessAndTilt) {
             EXPECT_NEAR(sum * 2 * M_PI * M_PI / kRows / kColumns, 1, 2e-4)
                 << beta << ' ' << tilt;
         }
+    }
 }
 
 TEST(HairBsdf, IsReciprocalOnlyAtEqualInclinations) {

@@ -22,9 +22,9 @@ Mean albedo(const HairBsdf& bsdf, int count, Random& random) {
 TEST(HairBsdf, WhiteFurnaceByUniformDirectionsScattersAllLight) {
     Random random{std::mt19937(1)};
     int tries = 0, outside = 0;
-    for (const float beta_m : {0.1f, 0.3f, 0.6f, 1.0f})
-        for (const float beta_n : {0.1f, 0.4f, 1.0f})
-            for (const float tilt : {0.0f, 0.05f, -0.2f})
+    for (const float beta_m : {0.1f, 0.3f, 0.6f, 1.0f}) {
+        for (const float beta_n : {0.1f, 0.4f, 1.0f}) {
+            for (const float tilt : {0.0f, 0.05f, -0.2f}) {
                 for (const float inclination : {0.0f, 0.7f, -1.4f}) {
                     const HairModel model(material(beta_m, beta_n, tilt, 0));
                     Mean mean;
@@ -38,6 +38,9 @@ TEST(HairBsdf, WhiteFurnaceByUniformDirectionsScattersAllLight) {
                     // bounds the sum of all cases, three sigmas most single ones.
                     outside += std::abs(mean.value() - 1) > 3 * mean.error();
                 }
+            }
+        }
+    }
     // A probability of 0.003 to 0.02 each, by skewness: more than 10 of 108 occur once in
     // 1e4.
     EXPECT_EQ(tries, 108);
@@ -49,7 +52,7 @@ TEST(HairBsdf, WhiteFurnaceBySamplingHasWeightOneForEverySample) {
     // value: the weight is one up to the rounding of four products and sums in float, 16
     // half-ulps of 6e-8.
     Random random{std::mt19937(2)};
-    for (const float beta : {0.01f, 0.1f, 0.3f, 1.0f})
+    for (const float beta : {0.01f, 0.1f, 0.3f, 1.0f}) {
         for (int i = 0; i < 2000; ++i) {
             const HairModel model(material(beta, beta, 0.3f * random() - 0.15f, 0));
             const HairBsdf bsdf(model, viewer(3.1f * random() - 1.55f), 2 * random() - 1);
@@ -57,6 +60,7 @@ TEST(HairBsdf, WhiteFurnaceBySamplingHasWeightOneForEverySample) {
             ASSERT_TRUE(sample);
             EXPECT_NEAR(sample->at.value.x() / sample->at.pdf, 1, 1e-6);
         }
+    }
 }
 
 TEST(HairBsdf, DensityIntegratesToOne) {
@@ -66,13 +70,13 @@ TEST(HairBsdf, DensityIntegratesToOne) {
     // cosine ends with a slope: by Euler and Maclaurin step^2 / 24 times M there, for R
     // at most 1 / v = 153, is 1.7e-4.
     constexpr int kRows = 600, kColumns = 300;
-    for (const float beta_m : {0.1f, 0.4f, 1.0f})
-        for (const float inclination : {0.0f, -0.6f, 1.3f})
+    for (const float beta_m : {0.1f, 0.4f, 1.0f}) {
+        for (const float inclination : {0.0f, -0.6f, 1.3f}) {
             for (const float h : {-0.95f, 0.2f, 0.7f}) {
                 const HairModel model(material(beta_m, 0.2f, 0.06f, 0.3f));
                 const HairBsdf bsdf(model, viewer(inclination), h);
                 double sum = 0;
-                for (int i = 0; i < kRows; ++i)
+                for (int i = 0; i < kRows; ++i) {
                     for (int j = 0; j < kColumns; ++j) {
                         const double t = M_PI * ((i + 0.5) / kRows - 0.5);
                         const double a = 2 * M_PI * (j + 0.5) / kColumns;
@@ -81,9 +85,12 @@ TEST(HairBsdf, DensityIntegratesToOne) {
                                        float(std::cos(t) * std::sin(a)));
                         sum += bsdf.evaluate(wi).pdf * std::cos(t);
                     }
+                }
                 EXPECT_NEAR(sum * 2 * M_PI * M_PI / kRows / kColumns, 1, 2e-4)
                     << beta_m << ' ' << inclination << ' ' << h;
             }
+        }
+    }
 }
 
 double sampling_chance(const HairMaterial& m, float inclination, float h, int count,
@@ -115,13 +122,16 @@ TEST(HairBsdf, SampledDirectionsFollowTheDensity) {
 TEST(SlowHairBsdf, SampledDirectionsFollowTheDensityEverywhere) {
     // 60 tests of a million samples; in all, one is wrong by chance once in 100 runs.
     unsigned seed = 10;
-    for (const float beta : {0.1f, 0.3f, 0.6f, 1.0f})
-        for (const float inclination : {0.0f, 0.8f, -1.2f})
-            for (const float h : {-0.99f, -0.5f, 0.0f, 0.6f, 1.0f})
+    for (const float beta : {0.1f, 0.3f, 0.6f, 1.0f}) {
+        for (const float inclination : {0.0f, 0.8f, -1.2f}) {
+            for (const float h : {-0.99f, -0.5f, 0.0f, 0.6f, 1.0f}) {
                 EXPECT_GT(sampling_chance(material(beta, beta, 0.06f, 0.2f), inclination,
                                           h, 1000000, beta < 0.2f ? 48 : 24, ++seed),
                           0.01 / 60)
                     << beta << ' ' << inclination << ' ' << h;
+            }
+        }
+    }
 }
 
 TEST(HairBsdf, ImportanceAndUniformSamplingAgree) {
@@ -130,9 +140,10 @@ TEST(HairBsdf, ImportanceAndUniformSamplingAgree) {
         const HairModel model(material(0.5f, 0.6f, 0.05f, sigma_a));
         const HairBsdf bsdf(model, viewer(0.4f), -0.3f);
         Mean uniform;
-        for (int i = 0; i < 100000; ++i)
+        for (int i = 0; i < 100000; ++i) {
             uniform.add(bsdf.evaluate(uniform_sphere(random.pair())).value.x() * 4 *
                         M_PI);
+        }
         const Mean importance = albedo(bsdf, 100000, random);
         EXPECT_NEAR(uniform.value(), importance.value(),
                     kSigmas * std::hypot(uniform.error(), importance.error()));
@@ -163,9 +174,9 @@ TEST(HairBsdf, MorePigmentScattersLessLight) {
 }
 
 TEST(HairBsdf, NothingIsNanAtTheEdges) {
-    for (const float beta : {0.01f, 0.3f, 1.0f})
-        for (const float sigma_a : {0.0f, 1e-6f, 1.0f, 1e4f})
-            for (const float x : {-1.0f, -0.99999f, 0.0f, 1e-20f, 1.0f})
+    for (const float beta : {0.01f, 0.3f, 1.0f}) {
+        for (const float sigma_a : {0.0f, 1e-6f, 1.0f, 1e4f}) {
+            for (const float x : {-1.0f, -0.99999f, 0.0f, 1e-20f, 1.0f}) {
                 for (const float h : {-1.0f, -0.9999999f, 0.0f, 1.0f}) {
                     const HairModel model(material(beta, beta, 0.05f, sigma_a));
                     const Vec3f wo(x, 0, std::sqrt(1 - x * x));
@@ -186,6 +197,9 @@ TEST(HairBsdf, NothingIsNanAtTheEdges) {
                         ASSERT_LE(sample->at.value.x(), sample->at.pdf * 1.00001f);
                     }
                 }
+            }
+        }
+    }
 }
 
 TEST(HairBsdf, SurfaceHighlightLeansTowardsTheRoot) {
@@ -234,12 +248,13 @@ TEST(HairColour, AbsorptionOfAColourComesBackFromTheFit) {
 }
 
 TEST(HairColour, ColourOfAnAbsorptionIsTheInverse) {
-    for (const float beta : {0.1f, 0.3f, 0.8f})
+    for (const float beta : {0.1f, 0.3f, 0.8f}) {
         for (const Vec3f& c : {Vec3f(0.9f, 0.5f, 0.1f), Vec3f(0.02f, 0.3f, 0.99f)}) {
             // exp(-fit sqrt(sigma)): the exponent is at most 4, its rounding 5e-7.
             const Vec3f back = colour_of_sigma_a(sigma_a_of_colour(c, beta), beta);
             EXPECT_LT((back - c).cwiseAbs().maxCoeff(), 1e-6f);
         }
+    }
 }
 
 TEST(HairColour, RefusesWhatIsOutOfRange) {

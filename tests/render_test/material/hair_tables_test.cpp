@@ -61,12 +61,14 @@ TEST(SlowHairTables, WhiteFurnaceByRoughnessAndTilt) {
         for (const float tilt : {-0.3f, 0.0f, 0.035f, 0.16f}) {
             const HairModel model(material(beta, beta, tilt, 0));
             double most = 0;
-            for (const float inclination : kInclinations)
-                for (const float h : kOffsets)
+            for (const float inclination : kInclinations) {
+                for (const float h : kOffsets) {
                     most = std::max(
                         most,
                         std::abs(1 - integral(HairBsdf(model, viewer(inclination), h),
                                               panels, columns)));
+                }
+            }
             EXPECT_LT(most, 2e-5) << beta << ' ' << tilt;
             std::printf("  %.1e", most);
         }
@@ -84,11 +86,13 @@ TEST(SlowHairTables, ChiSquareByRoughnessAndTilt) {
         for (const float tilt : {-0.3f, 0.0f, 0.035f, 0.16f}) {
             const HairModel model(material(beta, beta, tilt, 0.2f));
             double least = 1;
-            for (const float inclination : kInclinations)
-                for (const float h : kOffsets)
+            for (const float inclination : kInclinations) {
+                for (const float h : kOffsets) {
                     least =
                         std::min(least, chance(HairBsdf(model, viewer(inclination), h),
                                                200000, beta < 0.15f ? 48 : 16, ++seed));
+                }
+            }
             EXPECT_GT(least, 0.01 / 216) << beta << ' ' << tilt;
             std::printf("  %5.3f", least);
         }

@@ -38,8 +38,9 @@ Table read_table(const fs::path& path) {
         if (line.empty() || line[0] == '#') continue;
         std::vector<double> n;
         std::stringstream fields(line);
-        for (std::string field; std::getline(fields, field, ',');)
+        for (std::string field; std::getline(fields, field, ',');) {
             n.push_back(std::stod(field));
+        }
         if (n.size() != 13) throw std::runtime_error("not a line of mitsuba_hair.py");
         HairMaterial m;
         m.beta_m = float(n[0]), m.beta_n = float(n[1]), m.tilt = float(n[2]);
@@ -136,9 +137,10 @@ TEST(HairMitsuba, DiffersOnlyByMitsubasBesselFunction) {
 
 TEST(SlowHairMitsuba, DiffersOnlyByMitsubasBesselFunction) {
     const char* python = std::getenv("LANCRET_MITSUBA_PYTHON");
-    if (!python || !*python)
+    if (!python || !*python) {
         GTEST_SKIP() << "LANCRET_MITSUBA_PYTHON names no Python that has Mitsuba: `make "
                         "test-slow` makes one where python3-venv and PyPI are there";
+    }
     const fs::path out = fs::temp_directory_path() /
                          ("lancret_mitsuba_" + std::to_string(std::rand()) + ".csv");
     const std::string command = std::string("'") + python + "' '" +

@@ -25,8 +25,8 @@ TEST(StrandSection, PathsOfACircleAreThoseOfTheClosedForm) {
     // phi = pi / 2 - 2 gamma_o + p (2 gamma_t + pi), the chord 2 cos gamma_t, one Fresnel
     // term [Marschner et al. 2003]. About twenty roundings of 6e-8, at offsets where the
     // arc sine multiplies them by 1 / sqrt(1 - 0.95^2) = 3.2.
-    for (const float turn : {0.0f, 1.0f, -2.5f})
-        for (const float inclination : kInclinations)
+    for (const float turn : {0.0f, 1.0f, -2.5f}) {
+        for (const float inclination : kInclinations) {
             for (const float h : kOffsets) {
                 const float eta = 1.55f, s = std::sin(inclination),
                             c = std::cos(inclination);
@@ -41,9 +41,12 @@ TEST(StrandSection, PathsOfACircleAreThoseOfTheClosedForm) {
                         << p << ' ' << h;
                     EXPECT_NEAR(paths.fresnel[p], f, 1e-5);
                 }
-                for (const float chord : paths.chord)
+                for (const float chord : paths.chord) {
                     EXPECT_NEAR(chord, 2 * std::cos(gamma_t), 1e-5);
+                }
             }
+        }
+    }
 }
 
 TEST(StrandSection, ALightOnAnAxisGoesStraightThrough) {
@@ -59,7 +62,7 @@ TEST(StrandSection, ALightOnAnAxisGoesStraightThrough) {
 }
 
 TEST(StrandSection, IsMirroredWithItsViewer) {
-    for (const float angle : {0.3f, 1.2f})
+    for (const float angle : {0.3f, 1.2f}) {
         for (const float h : {0.2f, 0.8f}) {
             const SectionPaths a = section_paths({0.6f, angle}, h, 0.8f, 1.8f, 1.55f);
             const SectionPaths b = section_paths({0.6f, -angle}, -h, 0.8f, 1.8f, 1.55f);
@@ -69,6 +72,7 @@ TEST(StrandSection, IsMirroredWithItsViewer) {
                 EXPECT_LT(apart(a.azimuth[p] - M_PI / 2, M_PI / 2 - b.azimuth[p]), 1e-5);
             }
         }
+    }
 }
 
 TEST(StrandSection, ACircleGivesTheSameBits) {
@@ -116,8 +120,9 @@ TEST(StrandSection, WhiteFurnaceScattersAllLight) {
         const HairBsdf bsdf(model, model.sigma_a, viewer(3 * random() - 1.5f),
                             2 * random() - 1, {0.2f + 0.8f * random(), 6 * random()});
         float sum = 0;
-        for (int p = 0; p < kHairLobes; ++p)
+        for (int p = 0; p < kHairLobes; ++p) {
             sum += LobeInspection::attenuation(bsdf, p).x();
+        }
         ASSERT_NEAR(sum, 1, 1e-6);
         const auto sample = draw(bsdf, random);
         ASSERT_TRUE(sample);
@@ -135,7 +140,7 @@ TEST(StrandSection, WhiteFurnaceScattersAllLight) {
 TEST(StrandSection, SampledDirectionsFollowTheDensity) {
     // Six tests, each wrong once in 1000.
     unsigned seed = 40;
-    for (const float aspect : {0.4f, 0.8f})
+    for (const float aspect : {0.4f, 0.8f}) {
         for (const float inclination : kInclinations) {
             const HairModel model(material(0.3f, 0.3f, 0.05f, 0.2f));
             const HairBsdf bsdf(model, model.sigma_a, viewer(inclination), 0.4f,
@@ -143,20 +148,22 @@ TEST(StrandSection, SampledDirectionsFollowTheDensity) {
             SphereBins bins(24, 48);
             Random random{std::mt19937(++seed)};
             constexpr int kCount = 50000;
-            for (int i = 0; i < kCount; ++i)
+            for (int i = 0; i < kCount; ++i) {
                 bins.add(draw(bsdf, random).value().direction);
+            }
             auto expected =
                 bins.integrals([&](const Vec3f& d) { return bsdf.evaluate(d).pdf; }, 16);
             for (double& e : expected) e *= kCount;
             EXPECT_GT(pearson_chance(bins.counts, expected), 1e-3)
                 << aspect << ' ' << inclination;
         }
+    }
 }
 
 TEST(StrandSection, NothingIsNanAtTheEdges) {
-    for (const float aspect : {0.1f, 0.5f, 0.999f})
-        for (const float angle : {0.0f, 0.4f, kPif / 2, 3.0f})
-            for (const float x : {-1.0f, -0.99999f, 0.0f, 1.0f})
+    for (const float aspect : {0.1f, 0.5f, 0.999f}) {
+        for (const float angle : {0.0f, 0.4f, kPif / 2, 3.0f}) {
+            for (const float x : {-1.0f, -0.99999f, 0.0f, 1.0f}) {
                 for (const float h : {-1.0f, 0.0f, 0.9999999f, 1.0f}) {
                     const HairModel model(material(0.3f, 0.3f, 0.05f, 0.5f));
                     const Vec3f wo(x, 0, std::sqrt(1 - x * x));
@@ -168,6 +175,9 @@ TEST(StrandSection, NothingIsNanAtTheEdges) {
                             << aspect << ' ' << angle << ' ' << x << ' ' << h;
                     }
                 }
+            }
+        }
+    }
 }
 
 }  // namespace

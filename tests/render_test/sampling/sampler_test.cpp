@@ -12,19 +12,21 @@ namespace {
 TEST(Sampler, EverySixteenSamplesFillEveryElementaryInterval) {
     // A (0, 2)-sequence has one of its 16 points in each box of area 1/16, for every
     // shape of box; Owen scrambling and shuffles of whole runs preserve that.
-    for (const std::uint32_t pixel : {0u, 7u, 123456u})
+    for (const std::uint32_t pixel : {0u, 7u, 123456u}) {
         for (int pair = 0; pair < 5; ++pair) {
             std::set<int> boxes[5];
             for (std::uint32_t s = 0; s < 16; ++s) {
                 Sampler sampler(3, pixel, s);
                 sampler.skip_to(std::uint32_t(pair));
                 const Vec2f p = sampler.next();
-                for (int k = 0; k <= 4; ++k)
+                for (int k = 0; k <= 4; ++k) {
                     boxes[k].insert(int(p.x() * float(1 << k)) * 16 +
                                     int(p.y() * float(16 >> k)));
+                }
             }
             for (const auto& box : boxes) EXPECT_EQ(box.size(), 16u);
         }
+    }
 }
 
 TEST(Sampler, PairsAndPixelsAreIndependent) {

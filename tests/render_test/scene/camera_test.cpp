@@ -22,7 +22,7 @@ Vec2f seen(const Camera& camera, const Vec3f& point) {
 
 TEST(Camera, FramesEveryCornerAndTouchesOneWithoutMargin) {
     const Eigen::AlignedBox3f box(Vec3f(-3, 10, 2), Vec3f(9, 12, 30));
-    for (const Vec3f& view : {Vec3f(0, 0, -1), Vec3f(1, -2, 0.5f), Vec3f(0, -1, 0)})
+    for (const Vec3f& view : {Vec3f(0, 0, -1), Vec3f(1, -2, 0.5f), Vec3f(0, -1, 0)}) {
         for (const float aspect : {0.5f, 1.0f, 2.0f}) {
             const Camera camera = framed(box, {view, Vec3f::UnitY(), 0.7f, aspect, 1.0f});
             float farthest = 0;
@@ -33,12 +33,13 @@ TEST(Camera, FramesEveryCornerAndTouchesOneWithoutMargin) {
             }
             EXPECT_NEAR(farthest, 1, 1e-5f);
         }
+    }
 }
 
 TEST(Camera, RaysOfThePicturesPlacesPassWhereThePointIsSeen) {
     const Camera camera =
         look_at(Vec3f(3, 4, 5), Vec3f(0, 1, 0), Vec3f::UnitY(), 0.9f, 1.5f);
-    for (const float x : {0.0f, 0.3f, 1.0f})
+    for (const float x : {0.0f, 0.3f, 1.0f}) {
         for (const float y : {0.0f, 0.8f, 1.0f}) {
             const Ray ray = camera.ray({x, y});
             EXPECT_NEAR(ray.direction.norm(), 1, 1e-6f);
@@ -46,6 +47,7 @@ TEST(Camera, RaysOfThePicturesPlacesPassWhereThePointIsSeen) {
             EXPECT_NEAR(at.x(), 2 * x - 1, 1e-5f);
             EXPECT_NEAR(at.y(), 1 - 2 * y, 1e-5f);
         }
+    }
     EXPECT_GT(camera.frame.col(1).dot(Vec3f::UnitY()), 0);
     EXPECT_NEAR(camera.frame.determinant(), 1, 1e-6f);
 }
@@ -102,12 +104,13 @@ TEST(Camera, PictureOfAStrandOutOfFocusIsAsWideAsTheLensMakesIt) {
     const Image image = render(scene, camera, settings);
     const double pixel = 6.0 / 200;  // cm in focus
     double weight = 0, second = 0;
-    for (int y = 0; y < 200; ++y)
+    for (int y = 0; y < 200; ++y) {
         for (int x = 0; x < 4; ++x) {
             const double alpha = image.rgba[std::size_t(4 * y + x)].w();
             const double at = (y + 0.5 - 100) * pixel;
             weight += alpha, second += alpha * at * at;
         }
+    }
     const double expected = (9 / 4.0 + 0.04 / 12) / 4 + pixel * pixel / 12;
     // About a tenth of 800 x 256 / 15 hits of a variable whose square scatters by its own
     // mean: 1 / sqrt(14,000) = 0.9 %.

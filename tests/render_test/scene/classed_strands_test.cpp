@@ -20,8 +20,9 @@ Curves straight_strands(std::uint32_t fine, std::uint32_t coarse, std::uint32_t 
     out.points = Buffer<Point4f>(out.point_count());
     out.tangents = Buffer<Point4f>(basis == CurveBasis::hermite ? out.point_count() : 0);
     out.segments = Buffer<std::uint32_t>(out.segment_count());
-    for (std::uint32_t j = 0; j < out.segments.size(); ++j)
+    for (std::uint32_t j = 0; j < out.segments.size(); ++j) {
         out.segments[j] = out.place_of(j).point;
+    }
     for (std::uint32_t i = 0; i < out.strands; ++i) {
         const float step = 8 / float(out.class_of(i).segments);
         for (std::uint32_t j = 0; j < out.points_of(i); ++j) {

@@ -67,8 +67,9 @@ TEST(EllipticStrands, WhiteOnesInAnEvenSkyAreAsBrightAsTheSky) {
     settings.path.max_depth = 100000;
     const Image image = render(scene, framed(geometry.bounds(), {}), settings);
     Mean mean;
-    for (const Eigen::Vector4f& pixel : image.rgba)
+    for (const Eigen::Vector4f& pixel : image.rgba) {
         if (pixel.w() >= 0.5f) mean.add(pixel.x() / pixel.w());
+    }
     EXPECT_GT(mean.count, 300);
     EXPECT_LT(mean.error(), 0.005);
     EXPECT_NEAR(mean.value(), 1, kSigmas * mean.error() + 1e-5);
@@ -78,8 +79,9 @@ TEST(EllipticStrands, RefusesRoundStrandsAndThoseWithoutAFace) {
     const Curves flat = curves_through({{{0, 0, 0}, {1, 0, 0}}}, 0.1f);
     EXPECT_THROW(HairScene(flat, nullptr, {.aspect = 0.5f}), std::invalid_argument);
     const Curves face = with_face(0.1f);
-    for (const float aspect : {0.0f, -1.0f, 1.5f, NAN})
+    for (const float aspect : {0.0f, -1.0f, 1.5f, NAN}) {
         EXPECT_THROW(HairScene(face, nullptr, {.aspect = aspect}), std::invalid_argument);
+    }
 }
 
 }  // namespace

@@ -72,13 +72,13 @@ TEST(HairScene, BuildingReportsProgress) {
         for (int i = 0; i <= 4; ++i) rows.back().emplace_back(float(i), 0.01f * s, 2);
     }
     const Curves curves = curves_through(rows, 0.1f);
-    std::vector<double> told;
+    std::vector<double> reported;
     const HairScene scene(
         curves, nullptr,
-        {.true_radii = {}, .progress = [&](double done) { told.push_back(done); }});
-    EXPECT_GT(told.size(), 2u);
-    for (const double done : told) EXPECT_TRUE(done >= 0 && done <= 1) << done;
-    EXPECT_GT(*std::ranges::max_element(told), 0.5);
+        {.true_radii = {}, .progress = [&](double done) { reported.push_back(done); }});
+    EXPECT_GT(reported.size(), 2u);
+    for (const double done : reported) EXPECT_TRUE(done >= 0 && done <= 1) << done;
+    EXPECT_GT(*std::ranges::max_element(reported), 0.5);
 }
 
 TEST(HairScene, RaysBesideARibbonMiss) {
@@ -128,10 +128,11 @@ TEST(HairScene, PrimitivesNameTheirStrand) {
         // The hit lies within the box of its strand's control points, grown by the
         // radius.
         Eigen::AlignedBox3f box;
-        for (std::uint32_t j = 0; j < curves.points_of(0); ++j)
+        for (std::uint32_t j = 0; j < curves.points_of(0); ++j) {
             box.extend(
                 curves.points[std::size_t(hit->strand.index) * curves.points_of(0) + j]
                     .xyz());
+        }
         EXPECT_LT(box.exteriorDistance(hit->position), 2 * hit->strand.radius);
     }
     EXPECT_GT(seen.size(), 50u);

@@ -39,9 +39,11 @@ struct Moving {
     }
     static Curves strands(const Vec3f& way) {
         std::vector<std::vector<Vec3f>> rows(2);
-        for (int i = 0; i < 2; ++i)
-            for (int j = -4; j <= 4; ++j)
+        for (int i = 0; i < 2; ++i) {
+            for (int j = -4; j <= 4; ++j) {
                 rows[i].push_back(Vec3f(float(2 * i - 1), float(j), 0) + way);
+            }
+        }
         return curves_through(rows, 0.5f);
     }
     Image image(bool moves) const {
@@ -83,8 +85,9 @@ TEST(Motion, IsThatOfTheClosedFormOfAStepAcrossThePicture) {
 
 TEST(Motion, IsZeroWhereNothingMoves) {
     for (const Image& image :
-         {Moving(Vec3f::Zero()).image(true), Moving(Vec3f(1, 0, 0)).image(false)})
+         {Moving(Vec3f::Zero()).image(true), Moving(Vec3f(1, 0, 0)).image(false)}) {
         for (const Vec2f& motion : image.motion) EXPECT_EQ(motion, Vec2f(0, 0));
+    }
 }
 
 }  // namespace

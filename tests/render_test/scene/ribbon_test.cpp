@@ -40,7 +40,7 @@ TEST(Ribbon, IsHitAcrossItsWholeWidthOnBothSidesAndNotBeyond) {
     const float radius = 0.3f;
     const Curves curves = twisted(radius, 0);
     const HairScene scene(curves);
-    for (int i = -49; i <= 49; ++i)
+    for (int i = -49; i <= 49; ++i) {
         for (const float side : {1.0f, -1.0f}) {
             const float y = 0.01f * float(i);
             const auto hit =
@@ -52,6 +52,7 @@ TEST(Ribbon, IsHitAcrossItsWholeWidthOnBothSidesAndNotBeyond) {
             EXPECT_NEAR(hit->shading_normal.z(), side, 1e-5);
             EXPECT_NEAR(hit->strand.along, 1.7f / 4, 1e-3);
         }
+    }
     // A ribbon is invisible edge-on; a strand that faces the ray would be hit.
     EXPECT_FALSE(scene.intersect(ray_along({1.7f, 5, 0.01f}, {0, -1, 0})));
 }
@@ -104,7 +105,7 @@ TEST(Ribbon, HitsHaveANormalBetweenTimesOfOppositeFaces) {
     const HairScene scene(std::array{SceneTime{&from}, SceneTime{&to}});
     Random random{std::mt19937(6)};
     int sure = 0;
-    for (const float time : {0.25f, 0.49999997f, 0.5f, 0.50000006f, 0.75f})
+    for (const float time : {0.25f, 0.49999997f, 0.5f, 0.50000006f, 0.75f}) {
         for (int i = 0; i < 2000; ++i) {
             const Vec3f target(0.2f + 3.6f * random(), 0.5f * random() - 0.25f, 0);
             const Vec3f origin = target + 5 * uniform_sphere(random.pair());
@@ -119,6 +120,7 @@ TEST(Ribbon, HitsHaveANormalBetweenTimesOfOppositeFaces) {
             ASSERT_LE(hit->shading_normal.dot(ray.direction), 1e-6f) << time;
             sure += time == 0.25f || time == 0.75f;
         }
+    }
     EXPECT_GT(sure, 1000);
 }
 
@@ -173,8 +175,9 @@ TEST(Ribbon, WhiteBladesInAnEvenSkyAreAsBrightAsTheSky) {
     settings.path.max_depth = 100000;
     const Image image = render(scene, framed(geometry.bounds(), {}), settings);
     Mean mean;
-    for (const Eigen::Vector4f& pixel : image.rgba)
+    for (const Eigen::Vector4f& pixel : image.rgba) {
         if (pixel.w() >= 0.5f) mean.add(pixel.x() / pixel.w());
+    }
     EXPECT_GT(mean.count, 300);
     EXPECT_LT(mean.error(), 0.003);
     // Rounding: the colour without absorption is 1 to 1e-6 per bounce.

@@ -14,8 +14,9 @@ constexpr float kCrease = 1.05f;
 /// A cube from -1 to 1, facing outward.
 TriangleMesh cube() {
     TriangleMesh mesh;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         mesh.positions.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    }
     mesh.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
                       {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
     return mesh;
@@ -24,7 +25,7 @@ TriangleMesh cube() {
 TEST(SmoothNormals, OfASphereAreRadialAcrossItsSeamToo) {
     const TriangleMesh mesh = sphere_mesh(24, 12);
     const CornerNormals normals = corner_normals(mesh.triangles, mesh.positions, kCrease);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (int k = 0; k < 3; ++k) {
             const Vec3f radial = mesh.positions[mesh.triangles[t][k]].normalized();
             // Triangles without area at a pole have no normal.
@@ -36,6 +37,7 @@ TEST(SmoothNormals, OfASphereAreRadialAcrossItsSeamToo) {
             // cell's angle of 0.26.
             EXPECT_LT((normals[t][k] - radial).norm(), 0.07f) << t;
         }
+    }
 }
 
 TEST(SmoothNormals, SharpEdgesStay) {
@@ -52,11 +54,13 @@ TEST(SmoothNormals, SharpEdgesStay) {
     // direction of the diagonal, since three right angles meet there however the faces
     // are cut.
     const CornerNormals round = corner_normals(mesh.triangles, mesh.positions, 1.6f);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (int k = 0; k < 3; ++k)
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (int k = 0; k < 3; ++k) {
             EXPECT_LT(
                 (round[t][k] - mesh.positions[mesh.triangles[t][k]].normalized()).norm(),
                 1e-6f);
+        }
+    }
 }
 
 TEST(SmoothNormals, AFanOfManyTrianglesTakesNoLonger) {
@@ -122,8 +126,9 @@ TEST(SmoothNormals, AWhiteBallOfFewFacetsInAnEvenSkyLosesNothing) {
     const TriangleMesh mesh = sphere_mesh(10, 6);
     const Image image = even_sky(mesh, {.crease = kCrease});
     Mean mean;
-    for (const Eigen::Vector4f& pixel : image.rgba)
+    for (const Eigen::Vector4f& pixel : image.rgba) {
         if (pixel.w() == 1) mean.add(pixel.x());
+    }
     EXPECT_GT(mean.count, 500);
     EXPECT_LT(mean.error(), 2e-3);
     EXPECT_NEAR(mean.value(), 1, kSigmas * mean.error() + 1e-5);

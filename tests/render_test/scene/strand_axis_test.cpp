@@ -18,9 +18,11 @@ Curves random_strand(CurveBasis basis) {
     curves.segments = Buffer<std::uint32_t>(4);
     std::mt19937 random(1);
     std::uniform_real_distribution<float> unit(0, 1);
-    for (Buffer<Point4f>* buffer : {&curves.points, &curves.tangents})
-        for (Point4f& p : buffer->span())
+    for (Buffer<Point4f>* buffer : {&curves.points, &curves.tangents}) {
+        for (Point4f& p : buffer->span()) {
             p = {unit(random), unit(random), unit(random), unit(random)};
+        }
+    }
     for (std::uint32_t j = 0; j < 4; ++j) curves.segments[j] = j;
     return curves;
 }

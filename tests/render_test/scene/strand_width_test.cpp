@@ -83,15 +83,18 @@ struct AtTheSwitch {
 Mean squares_of(const Image& image) {
     constexpr int kSquare = 8, kSize = AtTheSwitch::kSize;
     Mean out;
-    for (int y = 0; y < kSize; y += kSquare)
+    for (int y = 0; y < kSize; y += kSquare) {
         for (int x = 0; x < kSize; x += kSquare) {
             double sum = 0;
-            for (int j = 0; j < kSquare; ++j)
-                for (int i = 0; i < kSquare; ++i)
+            for (int j = 0; j < kSquare; ++j) {
+                for (int i = 0; i < kSquare; ++i) {
                     sum += luminance(
                         image.rgba[std::size_t((y + j) * kSize + x + i)].head<3>());
+                }
+            }
             out.add(sum / (kSquare * kSquare));
         }
+    }
     return out;
 }
 

@@ -84,8 +84,9 @@ Mean coverage(Curves curves, float pixels, int pictures, int samples,
     for (int i = 0; i < pictures; ++i) {
         settings.seed = std::uint64_t(i);
         double sum = 0;
-        for (const auto& p : render(scene, made_camera(), settings).rgba)
+        for (const auto& p : render(scene, made_camera(), settings).rgba) {
             sum += sky.x() > 0 ? p.x() : p.w();
+        }
         mean.add(sum / (kHeight * kHeight));
     }
     return mean;
@@ -97,16 +98,18 @@ TEST(ThinStrands, CoverTheirTrueWidthInThePicture) {
     // to the view is stretched in the picture by 1 / cos: sqrt(1 + y^2 / 50^2), with y^2
     // that of the strand's middle plus 1 / 3 for its tilt.
     double expected = 0;
-    for (const double y : {-12, -6, 0, 6, 12})
+    for (const double y : {-12, -6, 0, 6, 12}) {
         expected += std::sqrt(1 + (y * y + 1 / 3.0) / 2500) * 40 * std::hypot(1, 0.05) *
                     0.2 / 1600;
-    for (const CurveShape shape : {CurveShape::flat, CurveShape::round})
+    }
+    for (const CurveShape shape : {CurveShape::flat, CurveShape::round}) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
             const Mean wide = coverage(lines(0.1f, shape, basis), 2, 16, 16);
             // The outline of the drawn tube is at asin(r / d), d = 50 r / 1.25: wider
             // than r / d by 1e-4; and the tilt turns the stretch by 0.05^2.
             EXPECT_NEAR(wide.value(), expected, kSigmas * wide.error() + 5e-4 * expected);
         }
+    }
 }
 
 TEST(ThinStrands, HaveLessNoiseThanStrandsMetByChance) {
@@ -165,9 +168,10 @@ TEST(ThinStrands, PassShadowRaysInProportionToTheirWidth) {
     // Parallel strands 1 cm apart, of true width 0.2 and drawn width 0.8: a fifth of the
     // perpendicular rays is blocked.
     std::vector<std::vector<Vec3f>> rows;
-    for (int i = -20; i <= 20; ++i)
+    for (int i = -20; i <= 20; ++i) {
         rows.push_back(
             {Vec3f(-30, float(i), 0), Vec3f(0, float(i), 0), Vec3f(30, float(i), 0)});
+    }
     const Curves curves = curves_through(rows, 0.4f);
     const std::vector<float> radii(curves.points.size(), 0.1f);
     HairSceneOptions options;

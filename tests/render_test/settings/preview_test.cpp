@@ -107,13 +107,14 @@ TEST(PreviewSettings, MaterialSetsHowStrandsDiffer) {
     EXPECT_NE(error_of("[material]\nmelanin_variation = 2\n"), "");
 }
 
-/// Rows of a matrix as TOML has them.
+/// Rows of a matrix in TOML.
 std::string rows(const Eigen::Matrix4d& m) {
     std::string out = "[";
     for (int r = 0; r < 4; ++r) {
         out += r ? ", [" : "[";
-        for (int c = 0; c < 4; ++c)
+        for (int c = 0; c < 4; ++c) {
             out += (c ? ", " : "") + fmt::format("{:.17g}", m(r, c) + 0.0);
+        }
         out += "]";
     }
     return out + "]";
@@ -173,7 +174,7 @@ TEST(PreviewSettings, RegularisationIsOnByDefault) {
     };
     EXPECT_TRUE(later(""));
     EXPECT_FALSE(later("[render]\nregularisation = 0\n"));
-    // N of the roughness asked for.
+    // N of the requested roughness.
     HairMaterial rough;
     rough.beta_m = rough.beta_n = 0.75f;
     EXPECT_EQ(later("[render]\nregularisation = 0.75\n")->model(0).s, HairModel(rough).s);

@@ -36,26 +36,30 @@ TEST(Adaptive, EvenPixelsNeedTheVarianceOverTheSquareOfTheError) {
 }
 
 TEST(Adaptive, NoPixelNeedsMoreThanTheLimit) {
-    for (const std::uint32_t n : samples_needed(film_of(4, 4, 8, 2, 3), 0.1f, 32))
+    for (const std::uint32_t n : samples_needed(film_of(4, 4, 8, 2, 3), 0.1f, 32)) {
         EXPECT_EQ(n, 32u);
+    }
 }
 
 TEST(Adaptive, NothingIsNeededWhereNothingVariesOrAllIsBlack) {
-    for (const std::uint32_t n : samples_needed(film_of(4, 4, 8, 2, 0), 0.1f, 32))
+    for (const std::uint32_t n : samples_needed(film_of(4, 4, 8, 2, 0), 0.1f, 32)) {
         EXPECT_EQ(n, 0u);
-    for (const std::uint32_t n : samples_needed(film_of(4, 4, 8, 0, 0), 0.1f, 32))
+    }
+    for (const std::uint32_t n : samples_needed(film_of(4, 4, 8, 0, 0), 0.1f, 32)) {
         EXPECT_EQ(n, 0u);
+    }
 }
 
 TEST(Adaptive, OneBrightSampleCountsForThePixelsAroundIt) {
     Film film = film_of(20, 20, 8, 2, 0);
     film.squares[20 * 10 + 10].head<3>().setConstant(70);
     const auto needed = samples_needed(film, 0.1f, 1000);
-    for (int y = 0; y < 20; ++y)
+    for (int y = 0; y < 20; ++y) {
         for (int x = 0; x < 20; ++x) {
             const bool near = std::abs(x - 10) <= 3 && std::abs(y - 10) <= 3;
             EXPECT_EQ(needed[std::size_t(20 * y + x)] > 0, near) << x << ' ' << y;
         }
+    }
 }
 
 struct GroomSettings : HairyBall {

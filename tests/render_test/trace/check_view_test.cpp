@@ -167,8 +167,9 @@ TEST(Legend, NamesAreWrittenAndSwatchesShown) {
     const Image mute = drawn();
     for (const Swatch& swatch : view.swatches) {
         std::size_t pixels = 0;
-        for (const auto& pixel : mute.rgba)
+        for (const auto& pixel : mute.rgba) {
             pixels += Vec3f(pixel.head<3>()) == swatch.colour;
+        }
         const int side = legend_layout(240, 240).bar_height;
         EXPECT_EQ(pixels, std::size_t(side) * side);
     }

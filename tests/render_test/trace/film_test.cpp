@@ -62,24 +62,25 @@ TEST(Film, VarianceBoundsThatOfPicturesOfOtherSeeds) {
     ball.settings.samples = 8;
     constexpr int kPictures = 40;
     std::vector<Mean> green(16 * 16);
-    double told = 0;
+    double estimated = 0;
     for (int seed = 0; seed < kPictures; ++seed) {
         ball.settings.seed = std::uint64_t(seed);
         const Image image = render(ball.scene, ball.camera, ball.settings);
         for (std::size_t i = 0; i < green.size(); ++i) {
             green[i].add(double(image.rgba[i].y()));
-            told += double(image.variance[i].y()) / kPictures;
+            estimated += double(image.variance[i].y()) / kPictures;
         }
     }
     double found = 0;
-    for (const Mean& pixel : green)
+    for (const Mean& pixel : green) {
         found += pixel.error() * pixel.error() * kPictures * kPictures / (kPictures - 1);
+    }
     // The sum has about 150 pixels of 39 degrees of freedom each: a relative standard
     // error of sqrt(2 / 39 / 150) = 2 %, with heavy tails three times that.
     // Stratification reduces the true variance: pictures agree better than estimated, but
     // not ten times.
-    EXPECT_LT(found, 1.25 * told);
-    EXPECT_GT(found, 0.1 * told);
+    EXPECT_LT(found, 1.25 * estimated);
+    EXPECT_GT(found, 0.1 * estimated);
 }
 
 TEST(Film, VarianceIsTheSameProgressively) {

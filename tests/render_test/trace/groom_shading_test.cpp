@@ -14,7 +14,7 @@ TEST(GroomShading, ScattersTheShareOfItsColour) {
     // By midpoints on 200 x 200 angles: the integrand is smooth, and their error 1e-4.
     double sum = 0;
     constexpr int kSteps = 200;
-    for (int i = 0; i < kSteps; ++i)
+    for (int i = 0; i < kSteps; ++i) {
         for (int j = 0; j < kSteps; ++j) {
             const double t = M_PI * ((i + 0.5) / kSteps - 0.5),
                          a = 2 * M_PI * (j + 0.5) / kSteps;
@@ -22,6 +22,7 @@ TEST(GroomShading, ScattersTheShareOfItsColour) {
                            float(std::cos(t) * std::sin(a)));
             sum += groom_value(Vec3f::Constant(0.6f), wi).x() * std::cos(t);
         }
+    }
     EXPECT_NEAR(sum * 2 * M_PI * M_PI / (kSteps * kSteps), 0.6, 1e-4);
 }
 

@@ -73,7 +73,7 @@ TEST(LobeWidth, AutomaticIsFarOfThinStrandsAndNearOfWideOnes) {
     // Strands are 0.1 cm wide, 43 to 77 cm away: 0.0013 to 0.0024 radian.
     EXPECT_EQ(of(LobeWidth::automatic, 0.0025f), far);
     EXPECT_EQ(of(LobeWidth::automatic, 0.0006f), near);
-    EXPECT_EQ(of(LobeWidth::automatic, 0), near);  // nobody said what a pixel is
+    EXPECT_EQ(of(LobeWidth::automatic, 0), near);  // the size of a pixel is unset
     const double between = of(LobeWidth::automatic, 0.0014f);
     EXPECT_NE(between, near);
     EXPECT_NE(between, far);
@@ -101,7 +101,7 @@ Comparison compare(const Made& made, int count) {
     double squares = 0, near_sum = 0, far_sum = 0, variance = 0;
     std::uint32_t stream = 0;
     int squares_count = 0;
-    for (int y = 2; y < 10; y += 2)
+    for (int y = 2; y < 10; y += 2) {
         for (int x = 2; x < 10; x += 2) {
             const Vec2f corner = Vec2f(float(x), float(y)) / 12;
             const Mean a = radiance(made, corner, 1.0f / 12, near, count, stream++);
@@ -111,6 +111,7 @@ Comparison compare(const Made& made, int count) {
             near_sum += a.value(), far_sum += b.value(), variance += error * error;
             ++squares_count;
         }
+    }
     return {chi_square_chance(squares, squares_count), far_sum / near_sum - 1,
             std::sqrt(variance) / near_sum};
 }

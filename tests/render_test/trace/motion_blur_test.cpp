@@ -24,8 +24,9 @@ Curves moved(const Curves& from, const Vec3f& way, float wider = 0) {
     copy(out.points, from.points);
     copy(out.tangents, from.tangents);
     copy(out.segments, from.segments);
-    for (Point4f& p : out.points.span())
+    for (Point4f& p : out.points.span()) {
         p.x += way.x(), p.y += way.y(), p.z += way.z(), p.w *= 1 + wider;
+    }
     return out;
 }
 
@@ -86,7 +87,7 @@ struct Moving {
 };
 
 TEST(MotionBlur, ARayOfSomeTimeMeetsTheSceneOfThatTime) {
-    for (const CurveShape shape : {CurveShape::flat, CurveShape::round})
+    for (const CurveShape shape : {CurveShape::flat, CurveShape::round}) {
         for (const CurveBasis basis : {CurveBasis::bspline, CurveBasis::hermite}) {
             const Moving moving(shape, basis);
             const HairScene scene(moving.times());
@@ -135,6 +136,7 @@ TEST(MotionBlur, ARayOfSomeTimeMeetsTheSceneOfThatTime) {
             EXPECT_GT(meshes, 400);
             EXPECT_LT(differ, rays / 200);
         }
+    }
 }
 
 TEST(MotionBlur, TheAxisIsThatOfTheTimeAndNotOfTheFirst) {

@@ -20,9 +20,11 @@ HairMaterial white_hair() {
 /// Pixels are independent, so their scatter estimates the error of the mean.
 Mean covered_radiance(const Image& image) {
     Mean mean;
-    for (const Eigen::Vector4f& pixel : image.rgba)
-        if (pixel.w() >= 0.5f)
+    for (const Eigen::Vector4f& pixel : image.rgba) {
+        if (pixel.w() >= 0.5f) {
             for (int c = 0; c < 3; ++c) mean.add(pixel[c] / pixel.w());
+        }
+    }
     // The three channels of a path are not independent.
     mean.count /= 3, mean.sum /= 3, mean.squares /= 3;
     return mean;
@@ -82,8 +84,9 @@ Mean shown_colour(const Curves& curves, float colour, float beta_n) {
     settings.samples = 16;
     settings.path.max_depth = 1000;
     Mean mean;
-    for (const auto& p : render(scene, framed(geometry.bounds(), {}), settings).rgba)
+    for (const auto& p : render(scene, framed(geometry.bounds(), {}), settings).rgba) {
         if (p.w() == 1) mean.add(p.x());
+    }
     return mean;
 }
 
@@ -116,7 +119,7 @@ void compare_lone_strand(CurveShape shape, float sigma_a) {
     m.beta_m = 0.2f;
     scene.hair = HairModel(m);
     scene.lights = Lights(Environment(Vec3f::Ones()));
-    Mean traced, alone;
+    Mean traced, expected;
     for (std::uint32_t i = 0; i < 10000; ++i) {
         Sampler sampler(1, i, 0);
         const float h = 2 * sampler.next().x() - 1;
@@ -129,19 +132,21 @@ void compare_lone_strand(CurveShape shape, float sigma_a) {
         sampler.skip_to(100);
         const Vec2f picks = sampler.next(), longitude = sampler.next();
         const auto sample = bsdf.sample(picks.x(), picks.y(), longitude);
-        alone.add(sample ? sample->at.value.x() / sample->at.pdf : 0);
+        expected.add(sample ? sample->at.value.x() / sample->at.pdf : 0);
     }
     // In addition to the errors: of the light's directions, the share within 0.1 radian
     // of the strand can hit it again, and lose light there. It is below 0.1 in sin and
     // contains no lobe: less than one in 1e3.
-    EXPECT_NEAR(traced.value(), alone.value(),
-                kSigmas * std::hypot(traced.error(), alone.error()) + 1e-3);
+    EXPECT_NEAR(traced.value(), expected.value(),
+                kSigmas * std::hypot(traced.error(), expected.error()) + 1e-3);
 }
 
 TEST(PathTracer, ALoneStrandShowsItsOwnAlbedo) {
-    for (const CurveShape shape : {CurveShape::flat, CurveShape::round})
-        for (const float sigma_a : {0.0f, 0.5f, 3.0f})
+    for (const CurveShape shape : {CurveShape::flat, CurveShape::round}) {
+        for (const float sigma_a : {0.0f, 0.5f, 3.0f}) {
             compare_lone_strand(shape, sigma_a);
+        }
+    }
 }
 
 TEST(PathTracer, APlateUnderADistantLightShowsLambertsLaw) {

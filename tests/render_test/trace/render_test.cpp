@@ -83,11 +83,12 @@ TEST(Render, BrokenStrandsNeitherCrashNorSpoilThePicture) {
     const float infinity = std::numeric_limits<float>::infinity();
     const std::uint32_t per = groom.curves.points_of(0);
     const auto spoil = [&](std::uint32_t strand, const auto& change) {
-        for (std::uint32_t j = 0; j < per; ++j)
+        for (std::uint32_t j = 0; j < per; ++j) {
             change(groom.curves.points[std::size_t(strand) * per + j], j);
+        }
     };
     // The strands in front, and one of each fault per six strands.
-    for (std::uint32_t i = 0; i < 1500; ++i)
+    for (std::uint32_t i = 0; i < 1500; ++i) {
         spoil(i, [&](Point4f& p, std::uint32_t j) {
             if (i % 6 == 0 && j == 7) p.x = nan;
             if (i % 6 == 1 && j == 7) p.w = nan;
@@ -95,6 +96,7 @@ TEST(Render, BrokenStrandsNeitherCrashNorSpoilThePicture) {
             if (i % 6 == 3) p.w = 0;
             if (i % 6 == 4) p = groom.curves.points[std::size_t(i) * per];
         });
+    }
     groom.geometry = HairScene(groom.curves, &groom.mesh);
     const Image image = groom.image();
     int strands = 0;
