@@ -53,10 +53,10 @@ TEST(ClassedStrands, AreHitLikeUniformStrands) {
                     EXPECT_EQ(other->strand, i);
                     EXPECT_EQ(other->strand.id, classed.ids[i]);
                     EXPECT_NEAR(other->strand.along, ray.origin.z() / 8, 1e-4f);
-                    EXPECT_NEAR(other->strand.along, one->along, 1e-4f);
+                    EXPECT_NEAR(other->strand.along, one->strand.along, 1e-4f);
                     EXPECT_NEAR(other->distance, one->distance, 1e-4f);
-                    EXPECT_NEAR(other->h, one->h, 1e-3f);
-                    EXPECT_NEAR(other->radius, one->radius, 1e-6f);
+                    EXPECT_NEAR(other->strand.h, one->strand.h, 1e-3f);
+                    EXPECT_NEAR(other->strand.radius, one->strand.radius, 1e-6f);
                 }
             }
         }
