@@ -50,7 +50,7 @@ TEST(ClassedStrands, AreHitLikeUniformStrands) {
                     ray.direction = -Vec3f::UnitY();
                     const auto one = a.intersect(ray), other = b.intersect(ray);
                     ASSERT_TRUE(one && other) << i << ' ' << k;
-                    EXPECT_EQ(other->strand, i);
+                    EXPECT_EQ(other->strand.index, i);
                     EXPECT_EQ(other->strand.id, classed.ids[i]);
                     EXPECT_NEAR(other->strand.along, ray.origin.z() / 8, 1e-4f);
                     EXPECT_NEAR(other->strand.along, one->strand.along, 1e-4f);
