@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "guides/base/errors.h"
 
 namespace lancret {
 
@@ -59,10 +60,8 @@ std::vector<Polyline> divided(std::span<const Polyline> lines, double longest) {
 Partings::Partings(std::span<const Polyline> lines) {
     for (const Polyline& line : lines) {
         const auto finite = [](const Vec3& p) { return p.allFinite(); };
-        if (line.size() < 2 || !std::ranges::all_of(line, finite)) {
-            throw std::invalid_argument(
+        require(line.size() >= 2 && std::ranges::all_of(line, finite),
                 "Partings: expected two or more finite points per line");
-        }
     }
     for (const Polyline& line : divided(lines)) {
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {

@@ -1,9 +1,9 @@
 #include "procedural/kernels/kernel_guides.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "guides/base/cancel.h"
+#include "guides/base/errors.h"
 #include "procedural/curves/control_points.h"
 
 namespace lancret {
@@ -116,9 +116,8 @@ void write_frenet(const GuideProfiles<float>& profiles, std::size_t g,
 
 KernelGuides kernel_guides(const GuideProfiles<float>& profiles,
                            std::span<const Vec3f> normals, Blend blend) {
-    if (normals.size() != profiles.size()) {
-        throw std::invalid_argument("kernel_guides: expected one normal per guide");
-    }
+    require(normals.size() == profiles.size(),
+            "kernel_guides: expected one normal per guide");
     const BlendTraits& traits = traits_of(blend);
     const bool places = traits.kernel == BlendKernel::position;
     const bool frenet = traits.rates == BlendRates::blended;
