@@ -15,6 +15,7 @@
 #include "guides/files/guide_cache.h"
 #include "guides/strand/curve.h"
 #include "render_test/image/image.h"
+#include "render_test/image/read_image.h"
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {
@@ -36,7 +37,7 @@ TEST(Preview, PngShowsHairOnTheBackground) {
     const SmallGrooms folder;
     const std::string png = folder.at("a.png");
     ASSERT_THAT(lancret({"preview", folder.made, "-o", png}), works());
-    const Texture picture = read_colour_map(png);
+    const Texture picture = read_texture(png);
     ASSERT_EQ(picture.width, 32);
     ASSERT_EQ(picture.height, 32);
     // The corners show the background, 0.18, to half a step of the 8-bit code: the slope
@@ -115,7 +116,7 @@ TEST(Preview, DenoisingChangesHairButNotTheBackground) {
                                        "--samples",     "2"};
         words.insert(words.end(), more.begin(), more.end());
         EXPECT_THAT(lancret(words), works());
-        return read_colour_map(folder.at(name));
+        return read_texture(folder.at(name));
     };
     const Texture before = picture("a.png", {});
     const Texture after = picture("b.png", {"--denoise"});
@@ -294,7 +295,7 @@ TEST(Fit, CacheContainsTheGuidesAndCanBeUsedAsAGroom) {
     EXPECT_THAT(lancret({"preview", cache, "--scalp", folder.obj, "--strands", "40",
                          "--size", "16x16", "--samples", "1", "-o", png}),
                 works());
-    EXPECT_EQ(read_colour_map(png).width, 16);
+    EXPECT_EQ(read_texture(png).width, 16);
     EXPECT_THAT(lancret({"fit", cache}), refuses_with("g.h5", "contains guides"));
 }
 
