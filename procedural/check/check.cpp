@@ -75,8 +75,9 @@ bool inside_hull(std::span<const MeasuredInterval> measured,
         // such intervals are too long to compare.
         const double max_tau = std::max(std::abs(tau_low), std::abs(tau_high));
         const bool tau_is_measured = std::hypot(max_tau, m.kappa) * m.length < 3;
-        if (!kappa_fits || (tau_is_measured && !inside(m.tau, tau_low, tau_high)))
+        if (!kappa_fits || (tau_is_measured && !inside(m.tau, tau_low, tau_high))) {
             return false;
+        }
     }
     return true;
 }
