@@ -1,9 +1,9 @@
 // lancret_picture_bench: cost and noise of a picture, from strands in memory. A separate
 // program, because it needs a reference picture.
 
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
 #include <sys/resource.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

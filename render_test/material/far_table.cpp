@@ -1,6 +1,6 @@
 #include "render_test/material/far_table.h"
 
-#include <tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>

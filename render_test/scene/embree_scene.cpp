@@ -223,28 +223,7 @@ HairScene::HairScene(const Curves& curves, const TriangleMesh* mesh,
 
 HairScene::HairScene(std::span<const SceneTime> times, const HairSceneOptions& options)
     : impl_(std::make_unique<Impl>()) {
-    if (times.empty() || times.size() > kMaxSceneTimes) {
-        throw std::invalid_argument("a scene must have 1 to 129 times");
-    }
-    if (!times[0].curves) throw std::invalid_argument("a scene needs strands");
-    check_indices(*times[0].curves, times[0].mesh);
-    for (const SceneTime& time : times.subspan(1)) check_alike(times[0], time);
-    if (options.tessellation < 1 || options.tessellation > 16) {
-        throw std::invalid_argument("tessellation must be 1 to 16");
-    }
-    if (!options.true_radii.empty() &&
-        options.true_radii.size() != times[0].curves->points.size()) {
-        throw std::invalid_argument("true radii must be one per control point");
-    }
-    if (!(options.aspect > 0 && options.aspect <= 1)) {
-        throw std::invalid_argument("a strand's aspect must be above 0 and at most 1");
-    }
-    if (options.aspect < 1 &&
-        (times[0].curves->shape != CurveShape::flat ||
-         times[0].curves->normals.size() != times[0].curves->points.size())) {
-        throw std::invalid_argument(
-            "elliptic strands must be flat, with one normal per point");
-    }
+    check_scene(times, options);
     impl_->shape.true_radii = options.true_radii;
     impl_->shape.aspect = options.aspect;
     const auto start = std::chrono::steady_clock::now();

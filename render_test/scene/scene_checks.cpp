@@ -19,8 +19,7 @@ void check_classes(const Curves& curves) {
     }
 }
 
-}  // namespace
-
+/// `mesh` may be null.
 void check_indices(const Curves& curves, const TriangleMesh* mesh) {
     const bool hermite = curves.basis == CurveBasis::hermite;
     const std::size_t reach = hermite ? 2 : 4;
@@ -84,6 +83,33 @@ void check_alike(const SceneTime& first, const SceneTime& other) {
                        first.mesh->positions.size() != other.mesh->positions.size())) {
         throw std::invalid_argument(
             "the mesh of a scene must have the same triangles at all times");
+    }
+}
+
+}  // namespace
+
+void check_scene(std::span<const SceneTime> times, const HairSceneOptions& options) {
+    if (times.empty() || times.size() > kMaxSceneTimes) {
+        throw std::invalid_argument("a scene must have 1 to 129 times");
+    }
+    if (!times[0].curves) throw std::invalid_argument("a scene needs strands");
+    const Curves& curves = *times[0].curves;
+    check_indices(curves, times[0].mesh);
+    for (const SceneTime& time : times.subspan(1)) check_alike(times[0], time);
+    if (options.tessellation < 1 || options.tessellation > 16) {
+        throw std::invalid_argument("tessellation must be 1 to 16");
+    }
+    if (!options.true_radii.empty() &&
+        options.true_radii.size() != curves.points.size()) {
+        throw std::invalid_argument("true radii must be one per control point");
+    }
+    if (!(options.aspect > 0 && options.aspect <= 1)) {
+        throw std::invalid_argument("a strand's aspect must be above 0 and at most 1");
+    }
+    if (options.aspect < 1 && (curves.shape != CurveShape::flat ||
+                               curves.normals.size() != curves.points.size())) {
+        throw std::invalid_argument(
+            "elliptic strands must be flat, with one normal per point");
     }
 }
 

@@ -1,12 +1,11 @@
 #include "tools/preview/check_views.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "guides/base/errors.h"
 #include "guides/bodies/signed_distance.h"
@@ -22,12 +21,6 @@ using Kind = ColourScale::Kind;
 
 /// Depth up to which a strand lies on the surface, cm: the tolerance of its root.
 const float kOnSurface = float(CheckTolerances{}.root);
-
-bool has_scale(View view) { return view != View::influence && view != View::region; }
-
-bool is_error(View view) {
-    return view == View::length_error || view == View::orthogonality;
-}
 
 /// The 99th percentile of the absolute values above `least`; 0 if there is none.
 float typical_maximum(const std::vector<float>& values, float least) {
@@ -165,37 +158,6 @@ void set_penetration(const ViewSubject& subject, CheckView& view) {
 
 }  // namespace
 
-std::string_view view_name(View view) {
-    return std::ranges::find(kViewNames, view, &ViewName::view)->name;
-}
-
-std::optional<View> view_named(std::string_view name) {
-    const auto* const found = std::ranges::find(kViewNames, name, &ViewName::name);
-    if (found == std::end(kViewNames)) return std::nullopt;
-    return found->view;
-}
-
-void check_range(const ViewRequest& request) {
-    if (!request.range) return;
-    // In single precision, as used: two doubles may be one float.
-    const Eigen::Vector2f range = request.range->cast<float>();
-    if (!(range.x() < range.y()) || !range.allFinite()) {
-        throw InputError(
-            "--view-range: the two numbers are too close to each other or too far from 1 "
-            "for a scale of colours");
-    }
-    if (!has_scale(request.view)) {
-        throw InputError(
-            fmt::format("--view-range: view {} has no scale", view_name(request.view)));
-    }
-    if (is_error(request.view) && !(range.x() >= std::numeric_limits<float>::min())) {
-        throw InputError(
-            fmt::format("--view-range: the scale of {} is logarithmic and must begin at "
-                        "1e-37 or more",
-                        view_name(request.view)));
-    }
-}
-
 CheckView view_of(const ViewRequest& request, const ViewSubject& subject) {
     CheckView out;
     switch (request.view) {
@@ -260,55 +222,6 @@ StrandValues penetration_values(const Curves& curves, const TriangleMesh& surfac
         }
         out.values[i] = float(deepest);
     });
-    return out;
-}
-
-namespace {
-
-struct Extremes {
-    float largest = 0;       ///< value of the largest magnitude
-    std::size_t strand = 0;  ///< id of its strand
-    std::size_t above = 0;   ///< strands with a value above the limit
-};
-
-Extremes extremes(const CheckView& view) {
-    const float limit = view.scale.clean.value_or(view.scale.high);
-    Extremes out;
-    for (std::size_t i = 0; i < view.values.strands(); ++i) {
-        bool above = false;
-        for (const float value : view.values.of(i)) {
-            above = above || value > limit;
-            if (std::abs(value) > std::abs(out.largest)) {
-                out.largest = value;
-                out.strand = view.ids.empty() ? i : view.ids[i];
-            }
-        }
-        out.above += above;
-    }
-    return out;
-}
-
-}  // namespace
-
-std::string view_line(const ViewRequest& request, const CheckView& view) {
-    if (!has_scale(request.view)) {
-        return fmt::format("{} {}", view.title, view.swatches.front().name);
-    }
-    const Extremes found = extremes(view);
-    return fmt::format("{}: largest {:.3g}, strand {}; {} of {} strands above {:.3g}",
-                       view.title, found.largest, found.strand, found.above,
-                       view.values.strands(), view.scale.clean.value_or(view.scale.high));
-}
-
-nlohmann::json view_json(const ViewRequest& request, const CheckView& view) {
-    nlohmann::json out{{"name", view_name(request.view)}};
-    if (!has_scale(request.view)) return out;
-    const Extremes found = extremes(view);
-    out.update({{"low", view.scale.low},
-                {"high", view.scale.high},
-                {"largest", found.largest},
-                {"strand", found.strand},
-                {"above", found.above}});
     return out;
 }
 

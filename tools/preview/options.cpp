@@ -140,7 +140,7 @@ void set_override(const PreviewOptions& options, const ChosenFrames& chosen,
 
 std::optional<ViewRequest> view_request(const PreviewOptions& options) {
     if (options.view.empty()) return std::nullopt;
-    ViewRequest out{*view_named(options.view), std::nullopt};
+    ViewRequest out{*value_named(kViewNames, options.view), std::nullopt};
     if (options.view_range.empty()) return out;
     out.range = parse_pair(options.view_range);
     // Written so that NaN is refused.
@@ -225,14 +225,13 @@ void add_light_options(CLI::App& command, PreviewOptions& options) {
 }
 
 void add_view_options(CLI::App& command, PreviewOptions& options) {
-    std::vector<std::string> views;
-    for (const ViewName& entry : kViewNames) views.emplace_back(entry.name);
+    const auto views = names_of(kViewNames);
     CLI::Option* view =
         command
             .add_option("--view", options.view,
                         "show a figure of every strand in false colours instead of hair")
             ->type_name("NAME")
-            ->check(CLI::IsMember(views))
+            ->check(CLI::IsMember(std::vector<std::string>(views.begin(), views.end())))
             ->excludes("--shutter")
             ->excludes("--motion-samples");
     command

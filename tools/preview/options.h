@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "tools/frames.h"
+#include "tools/job.h"
 #include "tools/options.h"
-#include "tools/preview/check_views.h"
 #include "tools/preview/picture.h"
+#include "tools/preview/view_request.h"
 
 namespace lancret {
 

@@ -5,7 +5,7 @@
 #include <ImfDeepScanLineInputFile.h>
 #include <ImfHeader.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <array>
 #include <bit>

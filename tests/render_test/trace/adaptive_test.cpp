@@ -1,7 +1,7 @@
 #include "render_test/trace/adaptive.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,7 @@
 #include "render_test/trace/render.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <cmath>
 #include <cstring>
