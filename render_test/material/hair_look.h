@@ -15,9 +15,9 @@ class HairLook {
   public:
     /// The same for every strand.
     HairLook(HairModel model);  // NOLINT(google-explicit-constructor)
-    /// Strands whose roughnesses are both at least `min_roughness` (0 to 1). It does
-    /// not change absorption, even if that is set by a colour. Throws
-    /// std::invalid_argument if a value is out of range.
+    /// Strands whose roughnesses are both at least `min_roughness` (0 to 1). It does not
+    /// change absorption, even if that is set by a colour. Throws std::invalid_argument
+    /// if a value is out of range.
     explicit HairLook(const HairMaterial& material, float min_roughness = 0);
 
     /// The lobes of a strand; with varied roughness, the nearest of 17 levels.

@@ -60,8 +60,7 @@ Camera camera_of_matrix(const Eigen::Matrix4d& to_world, float field_of_view,
     if (!rigid) {
         throw std::invalid_argument(
             "a camera's matrix must be a right-handed rotation, a translation and at "
-            "most "
-            "a uniform scale");
+            "most a uniform scale");
     }
     Camera camera;
     camera.position = to_world.topRightCorner<3, 1>().cast<float>();

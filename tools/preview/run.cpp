@@ -88,8 +88,8 @@ void warn_of_cut(const ChosenFrames& chosen, double frame, const ShutterTimes& s
         shutter.frames.back());
 }
 
-/// Owns what is kept from picture to picture: views of a turntable share all
-/// but the camera, and frames at which nothing moves share the picture itself.
+/// Owns what is kept from picture to picture: views of a turntable share all but the
+/// camera, and frames at which nothing moves share the picture itself.
 class PreviewRun {
   public:
     /// Opens the groom. `options` must outlive the run. Throws InputError.

@@ -32,10 +32,10 @@ bool has_scale(View view);
 /// Whether the figure is an error that `lancret check` limits.
 bool is_error(View view);
 
+/// A view and its range.
 struct ViewRequest {
     View view = View::curvature;
-    std::optional<Vec2>
-        range;  ///< at the ends of the colour scale; unset: chosen by the view
+    std::optional<Vec2> range;  ///< ends of the colour scale; unset: by the view
 };
 
 /// Throws InputError if the view has no scale or its scale cannot have the range.
