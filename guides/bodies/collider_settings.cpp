@@ -42,7 +42,7 @@ std::vector<ColliderSettings> read_colliders(const TomlTable& toml,
         out.push_back(read_collider(table));
         if (out.back().with_head && head.deforms()) {
             table.fail("with_head",
-                       "'with_head': nothing moves with a head that deforms; give it "
+                       "'with_head' needs a rigid head, and this one deforms; use "
                        "'keys'");
         }
     }

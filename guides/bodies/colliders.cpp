@@ -14,10 +14,11 @@ namespace {
 
 void check(const RigidPose& pose) {
     const Mat3& r = pose.rotation;
-    // Written so that a NaN fails. 1e-6 lets float rotations through.
+    // Written so that a NaN fails. 1e-6 accepts float rotations.
     if (!((r.transpose() * r - Mat3::Identity()).cwiseAbs().maxCoeff() < 1e-6 &&
           r.determinant() > 0 && pose.translation.allFinite())) {
-        throw std::invalid_argument("Colliders: a pose is a rotation and a finite move");
+        throw std::invalid_argument(
+            "Colliders: expected a rotation and a finite translation");
     }
 }
 
@@ -35,7 +36,7 @@ SurfaceSample near_capsule(const Capsule& capsule, const Vec3& place) {
     const Vec3 centre = capsule.a + t * axis, away = place - centre;
     const double height = away.norm();
     SurfaceSample out;
-    // On the axis every way out is as short, so any across it.
+    // On the axis every direction across it is as short.
     out.normal = height > 0    ? Vec3(away / height)
                  : length2 > 0 ? Vec3(axis.unitOrthogonal())
                                : Vec3(Vec3::UnitZ());
@@ -58,12 +59,12 @@ Plane plane_of(const std::vector<Vec3f>& positions,
     return {p, e1, e2, e1.cross(e2).stableNormalized()};
 }
 
-/// Keeps x's place in the plane and its height over it, from one plane to the other.
+/// x with its position in the plane and its height above it kept from plane to plane.
 Vec3 carried_by(const Plane& from, const Plane& to, const Vec3& x) {
     const Vec3 d = x - from.corner;
     const double a = from.e1.squaredNorm(), b = from.e1.dot(from.e2),
                  c = from.e2.squaredNorm(), det = a * c - b * b;
-    // A triangle without area has no plane: its corner carries.
+    // A triangle without area has no plane: x follows its corner.
     if (!(det > 1e-12 * a * c)) return to.corner + d;
     const double f = from.e1.dot(d), g = from.e2.dot(d);
     const double u = (f * c - g * b) / det, v = (g * a - f * b) / det;
@@ -77,7 +78,7 @@ int Colliders::add(const Capsule& capsule, const RigidPose& pose) {
     if (!(capsule.radius >= 0 && std::isfinite(capsule.radius) && capsule.a.allFinite() &&
           capsule.b.allFinite())) {
         throw std::invalid_argument(
-            "Colliders: a capsule is finite, its radius 0 or more");
+            "Colliders: expected a finite capsule with a radius of at least 0");
     }
     bodies_.push_back({capsule, pose, pose});
     return size() - 1;
@@ -86,7 +87,7 @@ int Colliders::add(const Capsule& capsule, const RigidPose& pose) {
 int Colliders::add(const TriangleMesh& mesh, const RigidPose& pose, double depth) {
     check(pose);
     if (!(depth >= 0 && std::isfinite(depth))) {
-        throw std::invalid_argument("Colliders: a depth is 0 or more");
+        throw std::invalid_argument("Colliders: the depth must be at least 0");
     }
     bodies_.push_back({MeshBody{mesh, mesh.positions, SignedDistance(mesh),
                                 box_of(mesh.positions), depth},
@@ -97,7 +98,7 @@ int Colliders::add(const TriangleMesh& mesh, const RigidPose& pose, double depth
 void Colliders::move(int index, const RigidPose& pose) {
     check(pose);
     if (index < 0 || index >= size()) {
-        throw std::invalid_argument("Colliders: there is no such body");
+        throw std::invalid_argument("Colliders: no such body");
     }
     Body& body = bodies_[std::size_t(index)];
     body.previous = std::exchange(body.pose, pose);
@@ -114,9 +115,9 @@ void Colliders::move(int index, std::span<const Vec3f> positions, const RigidPos
                      : std::get_if<MeshBody>(&bodies_[std::size_t(index)].shape);
     if (!mesh || mesh->mesh.positions.size() != positions.size()) {
         throw std::invalid_argument(
-            "Colliders: no mesh of as many vertices at this index");
+            "Colliders: the body is not a mesh with this number of vertices");
     }
-    // The new tree first: where it throws, nothing has moved.
+    // The new tree first: if it throws, nothing has changed.
     TriangleMesh moved{{positions.begin(), positions.end()}, mesh->mesh.triangles, {}};
     mesh->distance = SignedDistance(moved);
     mesh->previous = std::move(mesh->mesh.positions);
@@ -150,9 +151,9 @@ SurfaceSample Colliders::near(const Body& body, const Vec3& place, double within
         return near_capsule(*capsule, place);
     }
     const auto& mesh = std::get<MeshBody>(body.shape);
-    // Outside of its box a closed mesh is at a positive distance, which matters only
-    // below the best so far; inside at a negative one of any size, perhaps. Behind a mesh
-    // with borders a place may be anywhere.
+    // Outside its box a closed mesh has a positive distance, which matters only below the
+    // best so far; inside, the distance may be negative and of any size. A place behind a
+    // mesh with borders may be anywhere.
     const bool closed = mesh.distance.closed();
     const double reach =
         closed ? std::max(0.0, std::min(within, best)) : std::max(within, mesh.depth);
@@ -193,7 +194,7 @@ Vec3 Colliders::carried(const SurfaceSample& sample, const Vec3& x, double from,
                         double to) const {
     const Body& body = bodies_[std::size_t(sample.collider)];
     Vec3 place = inverse_image(from > 0 ? pose_at(body, from) : body.previous, x);
-    // A mesh has its current form in all of the step but its begin.
+    // A mesh has its current shape throughout the step, except at its beginning.
     const auto* mesh = std::get_if<MeshBody>(&body.shape);
     if (mesh && mesh->deformed && from == 0) {
         const auto& triangle = mesh->mesh.triangles[sample.triangle];
@@ -221,7 +222,7 @@ double Colliders::drift() const {
             }
             continue;
         }
-        // What an affine map moves furthest of a box is one of its corners.
+        // The point of a box that an affine map moves farthest is a corner.
         Eigen::AlignedBox3d box;
         if (mesh) {
             box = mesh->box;

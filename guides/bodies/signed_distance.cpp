@@ -14,7 +14,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A triangle's side, from whichever of its ends has the lower index.
+/// A side of a triangle, from the end with the lower index.
 struct Side {
     std::uint32_t low, high, triangle;
     int edge;
@@ -25,12 +25,12 @@ struct Side {
 
 const TriangleMesh& checked(const TriangleMesh& mesh) {
     if (!std::ranges::all_of(mesh.positions, is_place)) {
-        throw std::invalid_argument("SignedDistance: a position is no place");
+        throw std::invalid_argument("SignedDistance: a position is out of range");
     }
     return mesh;
 }
 
-/// The angle between two vectors; 0 where one is zero.
+/// The angle between two vectors; 0 if one is zero.
 double angle(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -112,8 +112,8 @@ MeshDistance SignedDistance::at(const Vec3& place, double within) const {
     if (!std::isfinite(found.distance)) return out;
     const Normals& normals = normals_[found.point.triangle];
 
-    // Which corner, edge or face the point is on; u and v are exact there but for 2 ulp
-    // of their sum.
+    // The corner, edge or face that the point is on; u and v are exact there, except for
+    // 2 ulp of their sum.
     const double u = found.uv.x(), v = found.uv.y();
     const bool zero[3] = {u + v >= 1 - 4e-16, u == 0, v == 0};  // of corners 0, 1, 2
     Vec3 side = normals.face;
@@ -137,11 +137,11 @@ MeshDistance SignedDistance::at(const Vec3& place, double within) const {
     out.distance = behind ? -found.distance : found.distance;
     out.point = found.position;
     out.triangle = found.point.triangle;
-    // On the surface the direction to it is round-off, and the normal the surface's own.
+    // On the surface the direction to it is round-off: the normal is the surface's.
     const double noise = 1e-9 * (1 + found.position.cwiseAbs().maxCoeff());
     if (found.distance > noise) {
         out.normal = away / out.distance;
-        // Of a long way out in a tiny unit the last digits may be gone.
+        // Renormalised: far from the surface the last digits may be lost.
         out.normal.normalize();
     } else if (side.squaredNorm() > 1e-20) {
         out.normal = side.normalized();

@@ -1,5 +1,5 @@
 #pragma once
-// Which side of a mesh a place is on, and how far from it.
+// The signed distance of a place from a mesh.
 
 #include <array>
 #include <limits>
@@ -9,39 +9,39 @@
 
 namespace lancret {
 
-/// What a query on a mesh says.
+/// The closest point of a mesh and the signed distance to it.
 struct MeshDistance {
-    /// cm, negative behind the surface; +infinity where there is nothing within reach.
+    /// cm, negative behind the surface; +infinity if nothing is within reach.
     double distance = std::numeric_limits<double>::infinity();
     Vec3 normal = Vec3::UnitZ();  ///< unit, outward: the gradient of the distance
     Vec3 point = Vec3::Zero();    ///< closest on the surface, cm
     std::uint32_t triangle = 0;
 };
 
-/// A mesh with what telling its sides needs: normals of its triangles, edges and
-/// vertices, those of vertices weighted by angle, so that the sign is right wherever the
-/// closest point is (Baerentzen and Aanaes 2005). Vertices at equal positions count as
-/// one and triangles without area weigh nothing. Triangles face outwards,
-/// counter-clockwise.
+/// A mesh with the normals that give its distance a sign: those of triangles, edges and
+/// vertices, the latter weighted by angle, so that the sign is right wherever the closest
+/// point is (Baerentzen and Aanaes 2005). Vertices at equal positions count as one, and
+/// triangles without area have no weight. Triangles are counter-clockwise from outside.
 ///
-/// A mesh is closed where each edge has as many triangles one way round as the other.
-/// Else it has borders, and no inside: a place is behind it only where the closest point
-/// is not on a border; round a border the distance is positive.
+/// A mesh is closed if each edge has as many triangles in one direction as in the other.
+/// Otherwise it has borders and no inside: a place is behind it only if the closest point
+/// is not on a border; around a border the distance is positive.
 class SignedDistance {
   public:
-    /// Throws std::invalid_argument where the mesh has no triangles, an index points
-    /// nowhere or a position is no place.
+    /// Throws std::invalid_argument if the mesh has no triangles, an index is out of
+    /// range, or a position is not finite or beyond kLargestCoordinate.
     explicit SignedDistance(const TriangleMesh& mesh);
 
-    /// The signed distance at `place` (cm, finite), where the surface is within `within`
-    /// of it. Safe to call from many threads, allocates nothing.
+    /// The signed distance at `place` (cm, finite) if the surface is within `within` of
+    /// it. May be called from several threads; does not allocate.
     MeshDistance at(const Vec3& place,
                     double within = std::numeric_limits<double>::infinity()) const;
     bool closed() const { return closed_; }
 
   private:
-    /// Of a triangle: its own, those of edges (0, 1), (1, 2), (2, 0) and of its corners.
-    /// Not of unit length; zero where the surface has no side (its triangles fold back).
+    /// The normals of a triangle, of its edges (0, 1), (1, 2), (2, 0) and of its corners.
+    /// Not of unit length; zero if the surface has no side there (its triangles fold
+    /// back).
     struct Normals {
         Vec3 face = Vec3::Zero();
         std::array<Vec3, 3> edges, corners;

@@ -24,7 +24,7 @@ bool same_guides(const Guides& a, const Guides& b) {
            a.segment_lengths == b.segment_lengths;
 }
 
-/// The frame's number that a file's name is: "000042.h5", "-00003.h5".
+/// The frame number of a file name such as "000042.h5" or "-00003.h5"; otherwise nullopt.
 std::optional<int> number_of(const fs::path& file) {
     const std::string name = file.stem().string();
     int number = 0;
@@ -34,14 +34,14 @@ std::optional<int> number_of(const fs::path& file) {
     return all ? std::optional(number) : std::nullopt;
 }
 
-/// What a kill leaves of a file that was being written beside its place.
+/// Whether `file` is a temporary file of a frame that a killed run left.
 bool is_left_over(const fs::path& file) {
     const std::string name = file.filename().string();
     return number_of(name.substr(0, name.find(".tmp-")) + ".h5") &&
            name.find(".tmp-") != std::string::npos && file.extension() == ".h5";
 }
 
-/// The files in a folder, none where there is none.
+/// The sorted files of a folder; empty if there is no such folder.
 std::vector<fs::path> files_in(const fs::path& folder) {
     std::vector<fs::path> out;
     std::error_code error;
@@ -62,7 +62,7 @@ void remove_file(const fs::path& file) {
     }
 }
 
-/// Why reading would refuse these guides; empty where it would not.
+/// The reason for which reading would reject these guides; empty if it would not.
 std::string fault_of(const Guides& guides) {
     for (std::size_t g = 0; g < guides.size(); ++g) {
         if (!guides.root_positions[g].allFinite()) {
@@ -83,7 +83,7 @@ std::string fault_of(const Guides& guides) {
 }  // namespace
 
 FrameStore::FrameStore(fs::path cache, GuideCacheHeader header, std::string job,
-                       Guides rest, bool anew)
+                       Guides rest, bool restart)
     : cache_(std::move(cache)),
       folder_(folder_of(cache_)),
       header_(std::move(header)),
@@ -92,10 +92,10 @@ FrameStore::FrameStore(fs::path cache, GuideCacheHeader header, std::string job,
     { const PendingFile writable(cache_); }
     std::error_code error;
     if (fs::exists(folder_, error) && !fs::is_directory(folder_, error)) {
-        throw InputError(fmt::format("{}: is not a folder, but is where the frames go",
-                                     folder_.string()));
+        throw InputError(
+            fmt::format("{}: must be a folder, for the frames", folder_.string()));
     }
-    if (!anew) {
+    if (!restart) {
         refuse_other_runs();
         base_ = finished_frames();
         done_ = base_;
@@ -115,13 +115,13 @@ fs::path FrameStore::frame_file(int k) const {
 int FrameStore::number(int k) const {
     const std::int64_t out = std::int64_t(header_.first_frame) + k;
     if (out > std::numeric_limits<int>::max()) {
-        throw std::invalid_argument("FrameStore: the frame's number is too large");
+        throw std::invalid_argument("FrameStore: the frame number is too large");
     }
     return int(out);
 }
 
-/// A frame that can be read and is of another run, wherever it is in the folder: whoever
-/// began that run may want it. One that cannot be read is of no use to anybody.
+/// Throws if the folder contains any readable frame of another run, which may still be
+/// wanted. An unreadable one is of no use.
 void FrameStore::refuse_other_runs() const {
     for (const fs::path& file : files_in(folder_)) {
         if (!number_of(file)) continue;
@@ -136,15 +136,17 @@ void FrameStore::refuse_other_runs() const {
         }
         if (!ours) {
             throw InputError(fmt::format(
-                "{}: is a frame of another run: its groom, guides or settings are not "
-                "those of now. Give the cache another name, or --restart, which removes "
-                "the frames in {} and starts anew",
+                "{}: is a frame of another run, with another groom, other guides or "
+                "other "
+                "settings. Give the cache another name, or use --restart to remove the "
+                "frames in {} and start over",
                 file.string(), folder_.string()));
         }
     }
 }
 
-/// How many frames a finished cache of this run holds, all of them whole; else 0.
+/// The number of frames of a finished cache of this run if all are undamaged; otherwise
+/// 0.
 int FrameStore::finished_frames() const {
     try {
         const GuideCacheInfo info = guide_cache_info(cache_);
@@ -176,8 +178,8 @@ bool FrameStore::is_whole(int k) const {
     }
 }
 
-/// Removes what a kill left and the frames that are not done. In the order of their
-/// numbers, for a kill here to leave a gap before whatever is still there.
+/// Removes temporary files and the frames from k on, in the order of their numbers: if
+/// the process is killed here, a gap precedes the remaining ones.
 void FrameStore::remove_from(int k) const {
     std::vector<std::pair<int, fs::path>> frames;
     for (const fs::path& file : files_in(folder_)) {
@@ -202,7 +204,7 @@ LastFrame FrameStore::last() const {
 
 void FrameStore::add(const Guides& frame, const RestartArrays& arrays) {
     if (!same_guides(frame, rest_)) {
-        throw std::invalid_argument("FrameStore: other guides than those of the rest");
+        throw std::invalid_argument("FrameStore: expected the guides of the rest pose");
     }
     if (const std::string fault = fault_of(frame); !fault.empty()) {
         throw std::invalid_argument(
@@ -212,7 +214,7 @@ void FrameStore::add(const Guides& frame, const RestartArrays& arrays) {
     fs::create_directory(folder_, error);
     if (error) {
         throw InputError(
-            fmt::format("{}: cannot be made: {}", folder_.string(), error.message()));
+            fmt::format("{}: cannot be created: {}", folder_.string(), error.message()));
     }
     GuideCacheHeader header = header_;
     header.first_frame = number(done_);
@@ -232,9 +234,9 @@ void FrameStore::finish() {
         writer.finish(&restart);
         base_ = done_;
     }
-    // The cache has them all: a kill from here on leaves frames that it has too.
+    // The cache has all frames: a kill from here on loses none.
     remove_from(0);
-    std::error_code not_empty;  // holds what is not ours: it stays
+    std::error_code not_empty;  // a folder with other files stays
     fs::remove(folder_, not_empty);
 }
 

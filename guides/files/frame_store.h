@@ -1,12 +1,12 @@
 #pragma once
-// The frames of a run as it goes, safe against a kill at any moment.
+// The frames of a run in progress, safe against a kill at any moment.
 //
-// HDF5 files that are open for writing do not outlive a kill. So while a run to cache.h5
-// is under way each of its frames is a file of its own, cache.h5.frames/000042.h5: a
-// guide cache of one frame, written beside and renamed, with what a restart needs in its
-// group /restart. `finish` makes cache.h5 of them. It has the same bytes however often
-// the run was killed and continued, and it too ends in a /restart, so that a longer run
-// goes on from it.
+// HDF5 files that are open for writing are lost if the process is killed. So while a run
+// to cache.h5 is in progress each of its frames is a file, cache.h5.frames/000042.h5: a
+// guide cache of one frame, written to a temporary file and renamed, with the state for a
+// restart in its group /restart. `finish` makes cache.h5 of them. It has the same bytes
+// no matter how often the run was killed and continued, and it also has a /restart, from
+// which a longer run continues.
 
 #include <filesystem>
 #include <string>
@@ -16,45 +16,44 @@
 
 namespace lancret {
 
-/// The last frame of a run, and what going on from it needs.
+/// The last frame of a run, and the state to continue from it.
 struct LastFrame {
-    int number = 0;  ///< as an artist counts
+    int number = 0;  ///< frame number
     Guides guides;
     RestartArrays arrays;
 };
 
-/// One run's frames. No two stores may work on one cache at a time.
+/// The frames of one run. Only one store may use a cache at a time.
 class FrameStore {
   public:
-    /// Looks at what is there of the run to `cache` that calls itself `job`: the frames
-    /// of a finished cache, then those of the folder, as far as they are whole, one after
-    /// another from `header.first_frame` on. What comes after a damaged or missing frame
-    /// is removed. `job` names all that decides a frame (groom, guides, settings), but
-    /// not how many there are to be. `rest` are the guides at rest.
+    /// Finds the frames of the run `job` to `cache` that are done: those of a finished
+    /// cache, then those of the folder, consecutive from `header.first_frame` on. Removes
+    /// the frames after a damaged or missing one. `job` identifies everything that
+    /// determines a frame (groom, guides, settings), but not the number of frames. `rest`
+    /// are the guides at rest.
     ///
-    /// Throws InputError where the folder holds frames of another run; not where `anew`,
-    /// which removes what is in the folder and begins from the first frame. Throws
-    /// InputError where the cache can never be written, too.
+    /// With `restart`, removes the frames in the folder and starts from the first frame.
+    /// Otherwise throws InputError if the folder contains frames of another run. Throws
+    /// InputError if the cache can never be written.
     FrameStore(std::filesystem::path cache, GuideCacheHeader header, std::string job,
-               Guides rest, bool anew = false);
+               Guides rest, bool restart = false);
 
     int frames_done() const { return done_; }
-    /// Throws std::logic_error where no frame is done, InputError where it cannot be
-    /// read.
+    /// Throws std::logic_error if no frame is done, InputError if it cannot be read.
     LastFrame last() const;
 
-    /// Keeps the next frame, number header.first_frame + frames_done(). Throws InputError
-    /// where it cannot be written; std::invalid_argument where the guides are not those
-    /// of the rest pose in number and lengths, and where a number is not finite or a root
-    /// frame not a rotation: such a frame would not count as done.
+    /// Stores the next frame, number header.first_frame + frames_done(). Throws
+    /// InputError if it cannot be written; std::invalid_argument if the guides differ
+    /// from the rest pose in number or lengths, a number is not finite, or a root frame
+    /// is not a rotation: such a frame would not count as done.
     void add(const Guides& frame, const RestartArrays& arrays);
 
-    /// Makes the cache of all frames that are done, one at a time in memory, puts it in
-    /// its place and then removes the folder. A finished cache to which nothing was added
-    /// stays as it is. Throws InputError; std::logic_error where no frame is done.
+    /// Writes the cache of all frames that are done, with one at a time in memory, then
+    /// removes the folder. A finished cache without new frames stays unchanged. Throws
+    /// InputError; std::logic_error if no frame is done.
     void finish();
 
-    /// Where the frames are while the run lasts, and the file of frame k, counted from 0.
+    /// The folder of the frames during the run, and the file of frame k, counted from 0.
     static std::filesystem::path folder_of(const std::filesystem::path& cache);
     std::filesystem::path frame_file(int k) const;
 
@@ -70,7 +69,7 @@ class FrameStore {
     GuideCacheHeader header_;
     std::string job_;
     Guides rest_;
-    int base_ = 0;  ///< frames that the finished cache holds
+    int base_ = 0;  ///< frames in the finished cache
     int done_ = 0;
 };
 

@@ -49,7 +49,7 @@ GuideCacheInfo read_info(const Reader& reader) {
     info.frames = int(shape[0]);
     if (std::int64_t(info.first_frame) + info.frames > std::int64_t(kMaxFrame) + 1) {
         fail(reader.path, fmt::format("attribute 'first_frame' is {}, too large for {} "
-                                      "frames to have numbers",
+                                      "frames",
                                       info.first_frame, info.frames));
     }
     info.guides = shape[1];
@@ -62,7 +62,7 @@ GuideCacheInfo read_info(const Reader& reader) {
     return info;
 }
 
-/// The guides of `frame`; without one, those of the rest pose.
+/// The guides of `frame`; of the rest pose if it is nullopt.
 Guides guides_of(const Reader& reader, const GuideCacheInfo& info,
                  std::optional<int> frame) {
     const auto segments = hsize_t(info.segments);
@@ -135,7 +135,7 @@ Guides read_guide_cache(const std::filesystem::path& path, int frame) {
     const GuideCacheInfo info = read_info(reader);
     if (frame < 0 || frame >= info.frames) {
         throw std::invalid_argument(fmt::format(
-            "read_guide_cache: frame {} of a cache of {}", frame, info.frames));
+            "read_guide_cache: frame {} of a cache of {} frames", frame, info.frames));
     }
     return guides_of(reader, info, frame);
 }

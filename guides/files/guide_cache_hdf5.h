@@ -1,6 +1,5 @@
 #pragma once
-// What the parts of the guide cache, guide_cache*.cpp, share. Nothing else may include
-// it.
+// HDF5 for the sources of the guide cache, guide_cache*.cpp. Nothing else may include it.
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -22,10 +21,9 @@ inline constexpr const char* kFrames = "/root_frames";
 inline constexpr const char* kLengths = "/segment_lengths";
 inline constexpr const char* kCurvatures = "/curvatures";
 inline constexpr const char* kRest = "/rest";        ///< the group of the rest pose
-inline constexpr const char* kRestart = "/restart";  ///< and of what a restart needs
+inline constexpr const char* kRestart = "/restart";  ///< the group of the restart state
 
-/// HDF5 is not safe for threads, and prints its errors unless told not to. A Session has
-/// it alone and silent.
+/// Exclusive use of HDF5, which is not thread-safe, without its error messages.
 class Session {
   public:
     Session() : lock_(mutex()) {
@@ -46,7 +44,7 @@ class Session {
     void* to_ = nullptr;
 };
 
-/// An HDF5 object, closed when it goes.
+/// Owns an HDF5 object and closes it.
 class Handle {
   public:
     Handle(hid_t id, herr_t (*closer)(hid_t)) : id_(id), close_(closer) {}
@@ -61,7 +59,7 @@ class Handle {
     operator hid_t() const { return id_; }
     bool good() const { return id_ >= 0; }
 
-    /// Closes now and says whether that worked.
+    /// Closes the object; returns whether that succeeded.
     bool close() { return close_(std::exchange(id_, -1)) >= 0; }
 
   private:

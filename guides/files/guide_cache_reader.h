@@ -1,6 +1,6 @@
 #pragma once
-// How the guide cache is read: every name, type, shape and number is checked before it is
-// trusted. Only the files guide_cache*.cpp may include it.
+// Reading from the guide cache: every name, type, shape and number is validated before it
+// is used. Only guide_cache*.cpp may include it.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,21 +15,21 @@
 
 namespace lancret::hdf5 {
 
-inline constexpr hsize_t kAny = 0;  ///< a size that is not known beforehand
+inline constexpr hsize_t kAny = 0;  ///< any size from 1
 inline constexpr hsize_t kAnyOrNone = ~hsize_t(0);
-/// The most that deflate, HDF5's compression, can make of a byte.
+/// Maximum ratio of deflate, HDF5's compression.
 inline constexpr double kMaxCompression = 1032;
 
-/// Reads what is in a file, or in a group of it.
+/// Reads from a file or from a group of it.
 struct Reader {
     const std::filesystem::path& path;
     hid_t file;
 
-    /// Whether there is something of this name.
+    /// Whether an object of this name exists.
     bool has(const char* name) const {
-        const htri_t there = H5Lexists(file, name, H5P_DEFAULT);
-        if (there < 0) fail(path, "not an HDF5 file, or a broken one");
-        return there > 0;
+        const htri_t exists = H5Lexists(file, name, H5P_DEFAULT);
+        if (exists < 0) fail(path, "not an HDF5 file, or a damaged one");
+        return exists > 0;
     }
     Handle open_attribute(const char* name) const {
         Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
@@ -51,8 +51,8 @@ struct Reader {
         }
         return value;
     }
-    /// A string of fixed length, as Lancret writes it, or of variable length, as h5py
-    /// does.
+    /// A string of fixed length, as Lancret writes, or of variable length, as h5py
+    /// writes.
     std::string text(const char* name) const {
         const Handle attribute = open_attribute(name);
         const Handle type(H5Aget_type(attribute), H5Tclose);
@@ -72,7 +72,8 @@ struct Reader {
         }
         return value.substr(0, value.find('\0'));
     }
-    /// A dataset of floats of this shape; where a size is kAny it is filled in.
+    /// A dataset of floats of this shape. Sizes that are kAny or kAnyOrNone are filled
+    /// in.
     Handle dataset(const char* name, std::vector<hsize_t>& shape) const {
         Handle data(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
         if (!data.good()) fail(path, fmt::format("no dataset '{}'", name));
@@ -98,13 +99,13 @@ struct Reader {
             if (!fits) {
                 fail(path,
                      fmt::format("dataset '{}' has the shape [{}], expected [{}] (0 "
-                                 "is any number from 1)",
+                                 "stands for any number from 1)",
                                  name, fmt::join(found, ", "), fmt::join(shape, ", ")));
             }
             bytes *= double(found[i]);
         }
-        // A shape costs nothing to claim: it must have its bytes before memory is asked
-        // for.
+        // Any file may claim a large shape: it must store the bytes before memory is
+        // allocated.
         if (double(H5Dget_storage_size(data)) * kMaxCompression < bytes) {
             fail(path, fmt::format("dataset '{}' is shorter than its shape", name));
         }
@@ -130,9 +131,8 @@ struct Reader {
         const auto bad = std::find_if_not(values.begin(), values.end(),
                                           [](double x) { return std::isfinite(x); });
         if (bad != values.end()) {
-            fail(path,
-                 fmt::format("dataset '{}' is not finite at number {} of those read",
-                             name, bad - values.begin()));
+            fail(path, fmt::format("dataset '{}': value {} of those read is not finite",
+                                   name, bad - values.begin()));
         }
         return values;
     }
@@ -145,7 +145,7 @@ inline Handle open_file(const std::filesystem::path& path) {
                                                         : "there is no such file");
     }
     Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-    if (!file.good()) fail(path, "not an HDF5 file, or a broken one");
+    if (!file.good()) fail(path, "not an HDF5 file, or a damaged one");
     return file;
 }
 

@@ -16,16 +16,16 @@ using namespace hdf5;
 
 namespace {
 
-/// Properties for making an object, without its time.
+/// Creation properties without a time stamp.
 Handle timeless(hid_t kind) {
     Handle out(H5Pcreate(kind), H5Pclose);
     H5Pset_obj_track_times(out, false);
     return out;
 }
 
-/// Writes into a file, or into a group of it.
+/// Writes to a file or to a group of it.
 struct Writer {
-    const std::filesystem::path& path;  ///< as the user knows it
+    const std::filesystem::path& path;  ///< the target, for errors
     hid_t file;
 
     void check(bool good) const {
@@ -53,8 +53,8 @@ struct Writer {
         const Handle space(H5Screate_simple(int(shape.size()), shape.data(), nullptr),
                            H5Sclose);
         const Handle layout = timeless(H5P_DATASET_CREATE);
-        // HDF5 takes chunks from one number to below 4 GB; contiguous storage has no such
-        // ends.
+        // HDF5 limits chunks to between one number and 4 GB; contiguous storage is not
+        // limited.
         double bytes = sizeof(double);
         for (const hsize_t n : chunk) bytes *= double(n);
         if (bytes > 0 && bytes < 4e9) {
@@ -85,7 +85,7 @@ struct Writer {
     }
 };
 
-/// Matrices row by row: Eigen keeps them column by column.
+/// Matrices in rows; Eigen stores columns.
 std::vector<double> rows_of(std::span<const Mat3> frames) {
     std::vector<double> rows;
     rows.reserve(9 * frames.size());
@@ -95,8 +95,8 @@ std::vector<double> rows_of(std::span<const Mat3> frames) {
     return rows;
 }
 
-/// The three datasets that a pose is, with room for `frames` of them; for 0, for one
-/// without the dimension of frames.
+/// The three datasets of `frames` poses; for 0 frames, of one pose without the dimension
+/// of frames.
 struct PoseSets {
     Handle positions, rotations, curvatures;
     hsize_t guides, segments;
@@ -135,7 +135,7 @@ struct PoseSets {
     }
 };
 
-/// What every pose of a cache shares.
+/// The shape that all poses of a cache share.
 struct Shape {
     std::size_t guides;
     int segments;
@@ -143,9 +143,10 @@ struct Shape {
 
     explicit Shape(const Guides& pose)
         : guides(pose.size()), segments(pose.segments), lengths(pose.segment_lengths) {
-        require(guides > 0 && segments > 0, "guide cache: there are no guides");
+        require(guides > 0 && segments > 0,
+                "guide cache: expected at least one guide and segment");
         require(lengths.size() == guides * std::size_t(segments),
-                "guide cache: not every segment has a length");
+                "guide cache: expected one length per segment");
     }
     void check(const Guides& pose) const {
         require(pose.size() == guides && pose.segments == segments &&
@@ -161,7 +162,7 @@ void check_restart(const Restart& restart) {
     for (const auto& [name, values] : restart.arrays) {
         require(!name.empty() && name != "." &&
                     name.find_first_of(std::string("/\0", 2)) == std::string::npos,
-                "guide cache: '" + name + "' cannot name an array");
+                "guide cache: '" + name + "' is not a valid name of an array");
         require(std::ranges::all_of(values, [](double x) { return std::isfinite(x); }),
                 "guide cache: the array '" + name + "' is not finite");
     }
@@ -178,8 +179,8 @@ void write_restart(const Writer& writer, const Restart& restart) {
     }
 }
 
-/// The format of HDF5 1.10 has checksums in all of its structures, and so do chunks (see
-/// Writer::dataset): damage is found before it is believed.
+/// The format of HDF5 1.10 has checksums in all structures, and so do chunks (see
+/// Writer::dataset), so that damage is detected.
 Handle created(const std::filesystem::path& path) {
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_LATEST);
@@ -205,7 +206,7 @@ struct GuideCacheWriter::State {
           writer{path, file},
           frames(frames_) {}
 
-    /// The first pose says how large all are.
+    /// The first pose sets the shape of all.
     void begin(const Guides& pose) {
         if (shape) return;
         shape.emplace(pose);
@@ -221,10 +222,10 @@ struct GuideCacheWriter::State {
 GuideCacheWriter::GuideCacheWriter(const std::filesystem::path& path,
                                    const GuideCacheHeader& header, int frames,
                                    const Guides* rest) {
-    require(frames > 0, "guide cache: there are no frames");
+    require(frames > 0, "guide cache: expected at least one frame");
     const Session session;
     auto state =
-        std::make_unique<State>(path, hsize_t(frames));  // goes before the session
+        std::make_unique<State>(path, hsize_t(frames));  // destroyed before the session
     const Writer& writer = state->writer;
     writer.check(state->file.good());
     writer.attribute("format", kFormat);
@@ -249,28 +250,26 @@ GuideCacheWriter::~GuideCacheWriter() {
 
 void GuideCacheWriter::add(const Guides& frame) {
     const Session session;
-    require(state_->next < state_->frames,
-            "guide cache: more frames than were announced");
+    require(state_->next < state_->frames, "guide cache: more frames than declared");
     state_->begin(frame);
     state_->shape->check(frame);
     state_->sets->write(state_->writer, state_->next++, frame);
 }
 
 void GuideCacheWriter::finish(const Restart* restart) {
-    require(state_->next == state_->frames,
-            "guide cache: fewer frames than were announced");
+    require(state_->next == state_->frames, "guide cache: fewer frames than declared");
     if (restart) check_restart(*restart);
     const Session session;
     if (restart) write_restart(state_->writer, *restart);
     state_->sets.reset();
-    // A full disk may show only here.
+    // A full disk may be reported only here.
     state_->writer.check(state_->file.close());
     state_->pending.commit();
 }
 
 void write_guide_cache(const std::filesystem::path& path, const GuideCacheHeader& header,
                        std::span<const Guides> frames) {
-    require(frames.size() <= 0x7fffffff, "guide cache: there are too many frames");
+    require(frames.size() <= 0x7fffffff, "guide cache: too many frames");
     GuideCacheWriter writer(path, header, int(frames.size()));
     for (const Guides& frame : frames) writer.add(frame);
     writer.finish();

@@ -17,7 +17,7 @@ namespace {
 
 using namespace hair;
 
-/// An open file that knows where it is.
+/// An open file that keeps its offset for errors.
 class HairReader {
   public:
     explicit HairReader(const std::filesystem::path& path)
@@ -44,7 +44,7 @@ class HairReader {
         offset_ += count * sizeof(T);
     }
 
-    /// The array of `count` elements that comes next, where its flag is set.
+    /// The next array, of `count` elements; empty if its flag is not set.
     template <class T>
     std::vector<T> array(std::uint32_t flags, ArrayFlag flag, std::uint64_t count) {
         if (!(flags & flag)) return {};
@@ -78,8 +78,7 @@ Header read_header(HairReader& file) {
     if (magic != "HAIR") file.fail(0, "not a .hair file: expected the signature 'HAIR'");
     if (header.strands == 0) file.fail(4, "no strands, expected at least one");
     if (!(header.flags & kPoints)) {
-        file.fail(12, fmt::format("flags {:#x} name no points array (2), without which "
-                                  "there is no hair",
+        file.fail(12, fmt::format("flags {:#x}: no points array (2), which is required",
                                   header.flags));
     }
     const float defaults[] = {header.default_thickness, header.default_transparency,
@@ -97,19 +96,19 @@ Header read_header(HairReader& file) {
         }
     }
     if (header.default_thickness < 0) {
-        file.fail(20, fmt::format("the default thickness is {}, expected none below 0",
+        file.fail(20, fmt::format("the default thickness is {}, expected at least 0",
                                   header.default_thickness));
     }
     return header;
 }
 
-/// The bytes that the header asks for; below 2^40, so that no sum overflows.
+/// The file size that the header implies; below 2^40, so that no sum overflows.
 std::uint64_t bytes_expected(const Header& header) {
-    constexpr std::uint64_t kBytesAPoint[] = {0, 12, 4, 4, 12, 8};
+    constexpr std::uint64_t kBytesPerPoint[] = {0, 12, 4, 4, 12, 8};
     std::uint64_t bytes = sizeof(Header);
     if (header.flags & kSegments) bytes += 2 * std::uint64_t(header.strands);
     for (int bit = 0; bit < 6; ++bit) {
-        if (header.flags >> bit & 1) bytes += kBytesAPoint[bit] * header.points;
+        if (header.flags >> bit & 1) bytes += kBytesPerPoint[bit] * header.points;
     }
     return bytes;
 }
@@ -133,12 +132,12 @@ void check_sizes(const HairReader& file, const Header& header, HairReport& repor
                         "are ignored",
                         file.name(), expected, file.size() - expected));
     }
-    const std::uint64_t of_default =
+    const std::uint64_t default_points =
         header.strands * (std::uint64_t(header.default_segments) + 1);
-    if (!(header.flags & kSegments) && of_default != header.points) {
+    if (!(header.flags & kSegments) && default_points != header.points) {
         file.fail(8, fmt::format("{} points, but {} strands of {} segments each have {}",
                                  header.points, header.strands, header.default_segments,
-                                 of_default));
+                                 default_points));
     }
 }
 
@@ -147,7 +146,7 @@ std::vector<std::uint32_t> read_first(HairReader& file, const Header& header) {
     const std::uint64_t start = file.offset();
     const auto segments =
         file.array<std::uint16_t>(header.flags, kSegments, header.strands);
-    // Without the array, check_sizes has seen that the sum is right.
+    // Without the array, check_sizes has validated the sum.
     std::vector<std::uint32_t> first(std::size_t(header.strands) + 1, 0);
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < header.strands; ++i) {
@@ -157,7 +156,7 @@ std::vector<std::uint32_t> read_first(HairReader& file, const Header& header) {
     }
     if (sum != header.points) {
         file.fail(start, fmt::format("the strands have {} points or more (segments + 1 "
-                                     "each), but the header says {}",
+                                     "each), but the header has {}",
                                      sum, header.points));
     }
     return first;
@@ -170,8 +169,7 @@ std::string place_of(const Strands& strands, std::size_t point) {
     return fmt::format("strand {}, point {}", strand, point - strands.first[strand]);
 }
 
-/// Fails at the first of `values`, an array that starts at byte `start`, that is not
-/// `good`.
+/// Fails at the first value that is not `good` of an array that starts at byte `start`.
 template <class T, class Good>
 void check_values(const HairReader& file, std::uint64_t start, const Strands& strands,
                   const std::vector<T>& values, std::string_view what, Good good) {
@@ -181,7 +179,7 @@ void check_values(const HairReader& file, std::uint64_t start, const Strands& st
     file.fail(start + i * sizeof(T), fmt::format("{}: {}", place_of(strands, i), what));
 }
 
-/// Moves the values of the strands that stay to the front.
+/// Removes the values of the strands of a single point.
 template <class T>
 void keep_long(const std::vector<std::uint32_t>& first, std::vector<T>& values) {
     if (values.empty()) return;
@@ -207,7 +205,7 @@ void drop_single_points(const HairReader& file, Strands& strands, HairReport& re
     if (report.dropped_strands == 0) return;
     if (kept.size() == 1) {
         file.fail(4, fmt::format("each of the {} strands is a single point, expected at "
-                                 "least one of two or more",
+                                 "least one strand of two or more",
                                  strands.size()));
     }
     keep_long(strands.first, strands.points);
@@ -216,20 +214,20 @@ void drop_single_points(const HairReader& file, Strands& strands, HairReport& re
     keep_long(strands.first, strands.colours);
     keep_long(strands.first, strands.uvs);
     strands.first = std::move(kept);
-    report.warnings.push_back(fmt::format("{}: {} strands of a single point are dropped",
+    report.warnings.push_back(fmt::format("{}: {} strands of a single point were dropped",
                                           file.name(), report.dropped_strands));
 }
 
 }  // namespace
 
 Strands read_hair(const std::filesystem::path& path, HairReport* report) {
-    HairReport unread;
-    HairReport& told = report ? *report : unread;
-    told = {};
+    HairReport unused;
+    HairReport& findings = report ? *report : unused;
+    findings = {};
     HairReader file(path);
     const Header header = read_header(file);
-    check_sizes(file, header, told);
-    told.text.assign(header.text, strnlen(header.text, sizeof header.text));
+    check_sizes(file, header, findings);
+    findings.text.assign(header.text, strnlen(header.text, sizeof header.text));
 
     Strands strands;
     strands.default_thickness = header.default_thickness;
@@ -241,13 +239,13 @@ Strands read_hair(const std::filesystem::path& path, HairReport* report) {
     std::uint64_t start = file.offset();
     strands.points = file.array<Vec3f>(header.flags, kPoints, header.points);
     check_values(file, start, strands, strands.points,
-                 fmt::format("not a place, expected finite coordinates within {:g}",
+                 fmt::format("invalid position, expected finite coordinates within {:g}",
                              kLargestCoordinate),
                  is_place);
     start = file.offset();
     strands.thickness = file.array<float>(header.flags, kThickness, header.points);
     check_values(file, start, strands, strands.thickness,
-                 "the thickness is not a finite number of 0 or more",
+                 "the thickness is not a finite number of at least 0",
                  [](float t) { return t >= 0 && std::isfinite(t); });
     start = file.offset();
     strands.transparency = file.array<float>(header.flags, kTransparency, header.points);
@@ -262,7 +260,7 @@ Strands read_hair(const std::filesystem::path& path, HairReport* report) {
     strands.uvs = file.array<Vec2f>(header.flags, kUvs, header.points);
     check_values(file, start, strands, strands.uvs, "the UV is not finite", finite);
 
-    drop_single_points(file, strands, told);
+    drop_single_points(file, strands, findings);
     return strands;
 }
 

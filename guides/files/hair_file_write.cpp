@@ -25,7 +25,7 @@ std::vector<std::uint16_t> segments_of(const std::filesystem::path& path,
         const std::uint32_t count = strands.first[i + 1] - strands.first[i] - 1;
         if (count > std::numeric_limits<std::uint16_t>::max()) {
             throw InputError(fmt::format(
-                "{}: strand {} has {} segments, a .hair file holds at most 65535",
+                "{}: strand {} has {} segments, but a .hair file stores at most 65535",
                 path.string(), i, count));
         }
         segments[i] = std::uint16_t(count);
@@ -46,12 +46,12 @@ void write_hair(const std::filesystem::path& path, const Strands& strands) {
     const auto none_or_all = [&](const auto& v) {
         return v.empty() || v.size() == points;
     };
-    require(strands.first.size() > 1, "write_hair: there are no strands");
+    require(strands.first.size() > 1, "write_hair: expected at least one strand");
     require(strands.first.front() == 0 && strands.first.back() == points,
             "write_hair: `first` does not span the points");
     require(none_or_all(strands.thickness) && none_or_all(strands.transparency) &&
                 none_or_all(strands.colours) && none_or_all(strands.uvs),
-            "write_hair: an attribute array is not as long as the points");
+            "write_hair: expected one attribute per point or none");
     const std::vector<std::uint16_t> segments = segments_of(path, strands);
 
     Header header{};

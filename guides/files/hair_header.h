@@ -6,9 +6,10 @@
 
 namespace lancret::hair {
 
-static_assert(std::endian::native == std::endian::little, "the file is read as it lies");
+static_assert(std::endian::native == std::endian::little,
+              "the file's bytes are read without swapping");
 
-/// Which arrays follow the header, in this order.
+/// The arrays that follow the header, in this order.
 enum ArrayFlag : std::uint32_t {
     kSegments = 1,
     kPoints = 2,

@@ -14,7 +14,7 @@ namespace lancret {
 
 namespace {
 
-/// Text is passed on in pieces of this size: a million strands are a gigabyte of it.
+/// Size of the pieces in which text is written: a million strands are a gigabyte.
 constexpr std::size_t kPiece = 1 << 20;
 
 bool is_finite(const Point4f& p) {
@@ -28,13 +28,15 @@ void write_mitsuba(const std::filesystem::path& path, std::span<const Point4f> p
                    std::size_t points_per_strand) {
     if (points_per_strand < 4 || points.empty() ||
         points.size() % points_per_strand != 0) {
-        throw std::invalid_argument(fmt::format(
-            "write_mitsuba: {} points are not whole strands of {}, four or more",
-            points.size(), points_per_strand));
+        throw std::invalid_argument(
+            fmt::format("write_mitsuba: expected whole strands of four or more points, "
+                        "but there are {} points "
+                        "and {} per strand",
+                        points.size(), points_per_strand));
     }
     write_beside_and_rename(path, [&](std::ostream& stream) {
         fmt::memory_buffer text;
-        const auto pass_on = [&] {
+        const auto flush = [&] {
             stream.write(text.data(), std::streamsize(text.size()));
             text.clear();
         };
@@ -47,9 +49,9 @@ void write_mitsuba(const std::filesystem::path& path, std::span<const Point4f> p
             }
             if (i > 0 && i % points_per_strand == 0) text.push_back('\n');
             fmt::format_to(std::back_inserter(text), "{} {} {} {}\n", p.x, p.y, p.z, p.w);
-            if (text.size() > kPiece) pass_on();
+            if (text.size() > kPiece) flush();
         }
-        pass_on();
+        flush();
     });
 }
 

@@ -24,14 +24,14 @@ namespace {
 
 constexpr int kMaxCorners = 1000;
 
-/// What the library would let through or change silently: it reads a number that is none
-/// as 0, and does not hold every index against what there is. So each line is checked
-/// first, and it sees those of vertices, texture coordinates and faces alone.
+/// Finds the errors that the library accepts silently: it reads an invalid number as 0
+/// and does not validate every index. Each line is checked first, and the library gets
+/// only those of vertices, texture coordinates and faces.
 class ObjChecker {
   public:
     explicit ObjChecker(std::string name) : name_(std::move(name)) {}
 
-    /// Checks the text; returns the lines that make the mesh.
+    /// Checks the text; returns the lines that define the mesh.
     std::string check(std::string_view text) {
         std::string kept;
         kept.reserve(text.size());
@@ -74,7 +74,7 @@ class ObjChecker {
         fail(fmt::format("index {} of a {}, but there are {}", index, what, count));
     }
 
-    /// The next word of the line; empty at its end.
+    /// The next word of the line; empty at the end.
     std::string_view token() {
         constexpr std::string_view kBlank = " \t\r";
         rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlank), rest_.size()));
@@ -102,7 +102,7 @@ class ObjChecker {
         const float x = number("vertex"), y = number("vertex"), z = number("vertex");
         if (!is_place({x, y, z})) {
             fail(
-                fmt::format("vertex ({}, {}, {}) is no place, expected finite "
+                fmt::format("invalid vertex ({}, {}, {}), expected finite "
                             "coordinates within {:g}",
                             x, y, z, kLargestCoordinate));
         }
@@ -121,7 +121,7 @@ class ObjChecker {
         int corners = 0;
         for (std::string_view word = token(); !word.empty(); word = token()) {
             if (++corners > kMaxCorners) {
-                fail(fmt::format("a face of more than {} corners", kMaxCorners));
+                fail(fmt::format("a face has more than {} corners", kMaxCorners));
             }
             const char* end = word.data() + word.size();
             const char* at =
@@ -131,7 +131,7 @@ class ObjChecker {
             } else if (at != end && *at == '/') {
                 ++at;
             }
-            // A normal's index is not used, but must be one for the library.
+            // The index of a normal is not used, but the library must be able to read it.
             if (at < end - 1 && *at == '/') {
                 long normal = 0;
                 at = std::from_chars(at + 1, end, normal).ptr;
@@ -144,7 +144,8 @@ class ObjChecker {
                                 word));
             }
         }
-        if (corners < 3) fail(fmt::format("a face of {} corners", corners));
+        if (corners < 3)
+            fail(fmt::format("a face has {} corners, expected at least 3", corners));
     }
 
     const char* check_index(const char* at, const char* end, long count, Index& last,
@@ -152,9 +153,9 @@ class ObjChecker {
         long index = 0;
         const auto [after, error] = std::from_chars(at, end, index);
         if (error != std::errc())
-            fail(fmt::format("the index of a {} is no number", what));
+            fail(fmt::format("the index of a {} is not a number", what));
         if (index == 0 || index < -count) fail_index(index, count, what);
-        // A face may come before its vertices, so a positive index is judged at the end.
+        // A face may come before its vertices: positive indices are validated at the end.
         if (index > last.value) last = {index, line_};
         return after;
     }
@@ -180,7 +181,7 @@ std::string read_text(const std::filesystem::path& path) {
     return text;
 }
 
-/// A UV by its bits, so that 0 and -0 each come back.
+/// A UV by its bits, so that 0 and -0 stay distinct.
 using UvKey = std::pair<std::uint32_t, std::uint32_t>;
 
 UvKey key_of(const Vec2f& uv) {
@@ -214,7 +215,7 @@ TriangleMesh read_obj(const std::filesystem::path& path) {
                 const auto& [vertex, normal, uv] = corners[i + c];
                 if (vertex < 0 || std::size_t(vertex) >= mesh.positions.size() ||
                     2 * std::ptrdiff_t(uv) + 1 >= std::ptrdiff_t(read.texcoords.size())) {
-                    throw InputError(path.string() + ": an index points nowhere");
+                    throw InputError(path.string() + ": an index is out of range");
                 }
                 triangle[c] = std::uint32_t(vertex);
                 uvs[c] = Vec2f::Zero();
@@ -232,7 +233,7 @@ TriangleMesh read_obj(const std::filesystem::path& path) {
 
 void write_obj(const std::filesystem::path& path, const TriangleMesh& mesh) {
     if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.triangles.size()) {
-        throw std::invalid_argument("write_obj: expected UVs for each triangle or none");
+        throw std::invalid_argument("write_obj: expected UVs for every triangle or none");
     }
     fmt::memory_buffer out;
     auto to = std::back_inserter(out);

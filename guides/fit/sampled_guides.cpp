@@ -9,16 +9,16 @@ namespace lancret {
 
 namespace {
 
-/// Radians that a segment may twist.
+/// Maximum twist of a segment, radian.
 constexpr double kMaxTwist = 1;
 
-/// Radians that a segment must bend for its twist to be told from the chord.
+/// Bend of a segment, radian, below which the chord does not determine its twist.
 constexpr double kMinBend = 0.02;
 
-/// The Darboux vector of the helix of length `ds` whose end has the tangent of `turn`, in
-/// the frame at its start, and which twists about it as brings its end nearest to `chord`
-/// (cm, there). By Gauss and Newton's steps on the one angle, damped where the segment
-/// hardly bends: there twist means nothing, and noise would fill it.
+/// The Darboux vector of the helix of length `ds` whose end has the tangent of `turn`,
+/// and the twist about it that brings the end nearest to `chord` (cm), all in the frame
+/// at its start. By Gauss-Newton steps on the one angle, damped if the segment hardly
+/// bends: its twist is then undetermined and would fit noise.
 Vec3 twisted(const Mat3& turn, const Vec3& chord, double ds) {
     const auto helix = [&](double twist) -> Vec3 {
         const Mat3 end =
@@ -33,7 +33,7 @@ Vec3 twisted(const Mat3& turn, const Vec3& chord, double ds) {
         const Vec3 slope = (helix_step<double>(helix(twist + kDelta), ds).displacement -
                             helix_step<double>(helix(twist - kDelta), ds).displacement) /
                            (2 * kDelta);
-        // Twist moves the end by a twelfth of bend times length, off the plane.
+        // Twist moves the end off the plane by a twelfth of bend times length.
         const double least = kMinBend * ds / 12;
         twist += slope.dot(off) / (slope.squaredNorm() + least * least);
         twist = std::clamp(twist, -kMaxTwist, kMaxTwist);
@@ -52,7 +52,7 @@ FittedGuide read_super_helix(const SampledCurve& target, const Vec3& surface_tan
     HelixState<double> state{out.root_frame, target.positions[0]};
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        // From where the row of helices has come to, so that round-off does not add up.
+        // From the end of the helices so far, so that round-off does not accumulate.
         const Mat3 turn =
             smallest_rotation<double>(state.frame.col(0), target.tangents[i + 1]);
         const Vec3 chord =

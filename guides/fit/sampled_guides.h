@@ -1,5 +1,5 @@
 #pragma once
-// Strands read as Super-Helices of many short segments: what a fit is too slow for.
+// Strands sampled as Super-Helices of many short segments, for which a fit is too slow.
 
 #include <cstdint>
 #include <span>
@@ -8,15 +8,14 @@
 
 namespace lancret {
 
-/// Reads a strand as helices of one length, one from each sample to the next: tangents at
-/// the joints are the strand's own, and each twists as brings its chord nearest to the
-/// strand's. Exact on a helix; a fit of many segments does better at a few thousand times
-/// the time. The root frame is that of fit_super_helix. The report is
-/// measured at the joints. `target` has segments + 1 samples.
+/// Converts a strand to helices of equal length, one from each sample to the next. The
+/// tangents at the joints are the strand's, and each helix has the twist that brings its
+/// chord nearest to the strand's. Exact on a helix; a fit of many segments is closer but
+/// takes a few thousand times as long. The root frame is that of fit_super_helix. The
+/// report is measured at the joints. `target` has segments + 1 samples.
 FittedGuide read_super_helix(const SampledCurve& target, const Vec3& surface_tangent);
 
-/// fit_guides by read_super_helix: linear in time, and the same for any number of
-/// threads.
+/// As fit_guides, with read_super_helix: takes linear time.
 FittedGuides sample_guides(const Strands& strands, std::span<const std::uint32_t> which,
                            std::span<const Vec3> surface_tangents, int segments);
 

@@ -11,12 +11,11 @@ namespace lancret {
 
 namespace {
 
-/// A stage of a fit: the share of the strand, from its root, that is looked at, and what
-/// a twist costs, as a share of the squared length for each squared radian. A fit takes
-/// the strand in from the root on, since an early segment that is wrong carries all the
-/// rest with it. The centreline says little of twist where a segment hardly bends, and a
-/// fit that is free to use it makes up torsion that the strand does not have: twist is
-/// dear at first and ends cheap.
+/// A stage of a fit: the share of the strand, from its root, that is fitted, and the cost
+/// of twist, as a share of the squared length per squared radian. A fit proceeds from the
+/// root, because an error in an early segment displaces all the rest. The centreline
+/// hardly determines the twist of a segment that hardly bends, and a fit with free twist
+/// invents torsion that the strand does not have: twist starts expensive and ends cheap.
 struct Stage {
     double share, twist_cost;
     int iterations;
@@ -24,15 +23,15 @@ struct Stage {
 constexpr Stage kStages[] = {
     {0.3, 1e-5, 10}, {0.6, 1e-5, 10}, {1, 1e-5, 15}, {1, 1e-7, 40}};
 
-/// The most that one segment may turn, radians: beyond half a turn, segments are too few.
+/// Maximum turn of a segment, radian: beyond half a turn there are too few segments.
 constexpr double kMaxTurn = 3.2;
 
 /// RMS distance over length below which a fit needs no second start.
 constexpr double kGoodFit = 2e-3;
 
 /// The first guess: in a rotation-minimising frame the bending vector is a complex number
-/// kappa exp(i theta); a segment's twist is the mean rate of theta, its bending the mean
-/// in the frame so twisted.
+/// kappa exp(i theta); a segment's twist is the mean rate of theta, and its bending the
+/// mean in the frame with that twist.
 std::vector<Vec3> first_guess(const SampledCurve& target, const Mat3& root, int segments,
                               bool with_twist) {
     const std::size_t n = target.tangents.size() - 1, per_segment = n / segments;
@@ -65,12 +64,12 @@ std::vector<Vec3> first_guess(const SampledCurve& target, const Mat3& root, int 
     return guess;
 }
 
-/// The fit of one strand as a least-squares problem in radians a segment (the curvatures
-/// times the segment's length), after them two angles that tilt the root tangent.
+/// The fit of one strand as a least-squares problem. The unknowns are in radians: the
+/// curvatures times the segment's length, then two angles that tilt the root tangent.
 class Problem {
   public:
-    double twist_cost = 0;    ///< now
-    std::size_t samples = 0;  ///< from the root, that are looked at now
+    double twist_cost = 0;    ///< in the current stage
+    std::size_t samples = 0;  ///< from the root, in the current stage
 
     Problem(const SampledCurve& target, const Mat3& root, const FitSettings& settings)
         : target_(target),
@@ -108,7 +107,7 @@ class Problem {
         return kept_in_range(std::move(x));
     }
 
-    /// x with every segment's turn cut back to the most that it may be.
+    /// x with the turn of every segment limited to kMaxTurn.
     Eigen::VectorXd kept_in_range(Eigen::VectorXd x) const {
         for (std::size_t q = 0; q < lengths_.size(); ++q) {
             const double turn = x.segment<3>(3 * q).norm();
@@ -141,7 +140,7 @@ class Problem {
         for (std::size_t i = 0; i < samples; ++i) {
             const Vec3 arm = residual_.segment<3>(3 * i) - target_.positions[0];
             if (turns_root_) {
-                // The angles turn the frame in its own axes: dr = (R0 V da) x arm.
+                // The angles turn the frame about its own axes: dr = (R0 V da) x arm.
                 const Mat3 axes = root_ * helix_step_derivative(tilt(x), 1).angular;
                 for (int c = 0; c < 2; ++c) {
                     jacobian_.block<3, 1>(3 * i, by_curvature_.cols() + c) =
@@ -159,7 +158,7 @@ class Problem {
         }
     }
 
-    /// Looks at the whole strand.
+    /// Measured over the whole strand.
     FitReport report(const Eigen::VectorXd& x) {
         samples = s_.size();
         cost(x);
@@ -233,8 +232,7 @@ FittedGuide fit_super_helix(const SampledCurve& target, const Vec3& surface_tang
                             const FitSettings& settings) {
     const Mat3 root = frame_from_normal(surface_tangent, target.tangents[0]);
     Problem problem(target, root, settings);
-    // Below a hundred-millionth of the length a fit is as good as single-precision files
-    // can tell.
+    // Files in single precision do not resolve a distance below 1e-8 of the length.
     const double floor =
         1e-16 * target.length * target.length * double(target.positions.size());
     const double n = double(fit_samples(settings));

@@ -17,7 +17,7 @@ Vec3 tangent_integral(const ConstantHelicity& strand, double a, double b) {
     static constexpr std::array<double, 5> kWeights{
         0.2369268850561891, 0.4786286704993665, 128.0 / 225, 0.4786286704993665,
         0.2369268850561891};
-    // 5-point Gauss leaves 4e-13 h^11 f^(10) of a part: 2e-16 at a turn of 1/2.
+    // The error of 5-point Gauss is 4e-13 h^11 f^(10) per part: 2e-16 at a turn of 1/2.
     const double turn =
         std::abs(strand.turn(b) - strand.turn(a)) * std::hypot(1, strand.helicity);
     const int parts = std::max(4, int(std::ceil(std::min(2 * turn, 1e6))));
@@ -34,7 +34,7 @@ Vec3 tangent_integral(const ConstantHelicity& strand, double a, double b) {
 
 void require_intervals(int n) {
     if (n < 1)
-        throw std::invalid_argument("constant helicity: needs one interval or more");
+        throw std::invalid_argument("constant helicity: expected at least one interval");
 }
 
 }  // namespace

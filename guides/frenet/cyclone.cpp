@@ -19,7 +19,7 @@ void require_radius(const Cyclone& cyclone) {
 
 double cyclone_turn(const Cyclone& cyclone, double s) {
     const double grown = cyclone.growth * s / cyclone.radius;
-    // Where growth is next to nothing, log1p(x) / growth tends to s / radius.
+    // As growth goes to 0, log1p(x) / growth tends to s / radius.
     return grown == 0 ? s / cyclone.radius : std::log1p(grown) / cyclone.growth;
 }
 
@@ -43,7 +43,7 @@ HelixState<double> cyclone_state(const Cyclone& cyclone, const HelixState<double
 
 std::vector<HelixState<double>> cyclone_strand(const Cyclone& cyclone,
                                                const HelixState<double>& root, int n) {
-    if (n < 1) throw std::invalid_argument("cyclone: needs one interval or more");
+    if (n < 1) throw std::invalid_argument("cyclone: expected at least one interval");
     std::vector<HelixState<double>> states;
     for (int i = 0; i <= n; ++i)
         states.push_back(cyclone_state(cyclone, root, cyclone.length * i / n));

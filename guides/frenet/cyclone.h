@@ -1,6 +1,6 @@
 #pragma once
 // The cyclone: a strand whose radius of curvature is linear in arc length, at constant
-// helicity [TW99, Fig. 1]. Everything about it is closed.
+// helicity [TW99, Fig. 1]. All of its quantities have closed forms.
 
 #include <vector>
 
@@ -15,12 +15,12 @@ struct Cyclone {
     double length = 1;    ///< cm, > 0; radius + growth * length must be > 0
 };
 
-/// q(s), the integral of kappa = 1 / (radius + growth s), radian: a logarithm. Between 0
-/// and the length.
+/// q(s), the integral of kappa = 1 / (radius + growth s), radian: a logarithm. 0 <= s <=
+/// length.
 double cyclone_turn(const Cyclone& cyclone, double s);
 
 /// The place at arc length s of the cyclone on `root` (frame [T N B]). Throws
-/// std::invalid_argument where the radius is not positive up to the tip.
+/// std::invalid_argument if the radius is not positive up to the tip.
 HelixState<double> cyclone_state(const Cyclone& cyclone, const HelixState<double>& root,
                                  double s);
 

@@ -12,8 +12,8 @@ namespace lancret {
 namespace {
 
 std::vector<Vec3> tangents_of(std::span<const CurvePoint> samples) {
-    // Before the first place with a speed, its tangent; after it, that of the place
-    // before.
+    // Places without a speed take the tangent of the previous one; those before the first
+    // with a speed take that one's.
     const auto moving = std::find_if(samples.begin(), samples.end(), [](const auto& x) {
         return x.d1.squaredNorm() > 0;
     });
@@ -27,16 +27,16 @@ std::vector<Vec3> tangents_of(std::span<const CurvePoint> samples) {
     return tangents;
 }
 
-/// The vector kappa N [TW99, Eq. 40], whose projector takes the tangent of the place
-/// itself (Eq. 44 prints that of the place before). Zero where the speed is.
+/// The vector kappa N [TW99, Eq. 40]. Its projector uses the tangent of the place itself
+/// (Eq. 44 prints that of the previous place). Zero if the speed is.
 Vec3 bending(const CurvePoint& x, const Vec3& tangent) {
     const double speed2 = x.d1.squaredNorm();
     if (speed2 == 0) return Vec3::Zero();
     return (x.d2 - tangent * tangent.dot(x.d2)) / speed2;
 }
 
-/// For each place the index of the nearest one that bends, the earlier of two; its own
-/// where nothing bends.
+/// For each place the index of the nearest one that bends, the earlier of two; its own if
+/// nothing bends.
 std::vector<std::size_t> nearest_bends(const std::vector<double>& bend,
                                        const std::vector<double>& at, double least) {
     const std::size_t n = bend.size();
@@ -59,7 +59,7 @@ std::vector<std::size_t> nearest_bends(const std::vector<double>& bend,
 
 /// N about the tangent at every place, as an angle in the rotation-minimising frame.
 struct NormalAngles {
-    std::vector<double> angle;    ///< radian; continuous but for straight stretches
+    std::vector<double> angle;    ///< radian; continuous except over straight stretches
     std::vector<double> bending;  ///< signed kappa, 1/cm; 0 where straight
 };
 
@@ -78,7 +78,7 @@ NormalAngles normal_angles(const std::vector<Vec3>& bends,
         if (!(size[i] > least)) continue;
         const double angle =
             std::atan2(carried[i].col(2).dot(bends[i]), carried[i].col(1).dot(bends[i]));
-        // The side of N is free, so it turns by the least angle modulo pi.
+        // The side of N is free, so it turns by the smallest angle modulo pi.
         out.angle[i] = last ? *last + std::remainder(angle - *last, kPi) : angle;
         out.bending[i] = std::cos(angle - out.angle[i]) < 0 ? -size[i] : size[i];
         last = out.angle[i];
@@ -95,7 +95,7 @@ std::vector<FrenetPoint> frenet_points(std::span<const CurvePoint> samples,
     if (samples.empty()) return {};
     const std::vector<Vec3> tangents = tangents_of(samples);
     std::vector<Vec3> positions, bends;
-    std::vector<double> at{0};  // length of the chords so far
+    std::vector<double> at{0};  // summed length of the chords
     for (std::size_t i = 0; i < samples.size(); ++i) {
         positions.push_back(samples[i].position);
         bends.push_back(bending(samples[i], tangents[i]));
@@ -124,7 +124,7 @@ FrenetProfile profile_of_points(std::span<const FrenetPoint> points,
                                 std::span<const double> steps) {
     if (points.size() != steps.size() + 1)
         throw std::invalid_argument(
-            "profile_of_points: one point more than steps needed");
+            "profile_of_points: expected one point more than steps");
     FrenetProfile profile{points[0].state, {steps.begin(), steps.end()}, {}};
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const FrenetRates &a = points[i].rates, &b = points[i + 1].rates;
@@ -136,8 +136,8 @@ FrenetProfile profile_of_points(std::span<const FrenetPoint> points,
 
 FrenetProfile analyze(const Curve& curve, int n, const Vec3& hint, FrenetMethod method,
                       double straight_turn) {
-    if (n < 1) throw std::invalid_argument("analyze: needs one interval or more");
-    // N is tracked at `fine` places an interval, and only every fine-th is kept.
+    if (n < 1) throw std::invalid_argument("analyze: expected at least one interval");
+    // N is tracked at `fine` places per interval; only every fine-th is kept.
     const int fine = std::max(1, (4 * int(curve.pieces.size()) + n - 1) / n);
     const double ds = curve.length() / n;
     std::vector<CurvePoint> samples;

@@ -2,9 +2,9 @@
 // From a curve to its Frenet-Serret apparatus [TW99, Sec. 4.2]: at points, and as a
 // profile that synthesizes the curve again.
 //
-// N is carried along: through an inflection it keeps its direction and kappa changes
-// sign, and where the strand is straight it comes from the nearest place where it is not,
-// by the rotation-minimising frame.
+// N is continuous: through an inflection it keeps its direction and kappa changes sign,
+// and on straight stretches it is carried from the nearest place that bends, by the
+// rotation-minimising frame.
 
 #include <span>
 #include <vector>
@@ -14,29 +14,30 @@
 
 namespace lancret {
 
-/// The turn over a strand's whole length, radian, below which it counts as straight: a
-/// place is straight where |kappa| times the length is below.
+/// A place of a strand counts as straight if |kappa| times the strand's length is below
+/// this, radian.
 constexpr double kStraightTurn = 1e-6;
 
 /// The apparatus at a place of a curve.
 struct FrenetPoint {
     HelixState<double> state;  ///< frame [T N B] and position
-    FrenetRates rates;         ///< kappa signed; both 0 where the strand is straight
+    FrenetRates rates;         ///< kappa is signed; both are 0 where straight
 };
 
 /// The apparatus at samples of a curve, given its derivatives in any parameter [TW99,
-/// Eq. 39-41]. N keeps its side: it is negated where it would turn by over pi/2 about the
-/// tangent since the sample before (the paper's rule B(s+ds) . B(s) < 0), so samples must
-/// be near enough that it turns less by itself. kappa is positive where the strand first
-/// bends. A strand straight all along has N = across_tangent(hint, T), carried on. Where
-/// the speed vanishes the tangent is that of the sample before, or of the first with one.
+/// Eq. 39-41]. N keeps its side: it is negated if it would turn by more than pi/2 about
+/// the tangent from the previous sample (the paper's rule B(s+ds) . B(s) < 0), so samples
+/// must be so close that its true turn is less. kappa is positive where the strand first
+/// bends. A strand that is straight throughout has N = across_tangent(hint, T) at its
+/// root. Where the speed is zero the tangent is that of the previous sample, or of the
+/// first that has one.
 std::vector<FrenetPoint> frenet_points(std::span<const CurvePoint> samples,
                                        const Vec3& hint,
                                        double straight_turn = kStraightTurn);
 
 /// The profile whose rates are the means of the point values at the ends of each
-/// interval; `steps` ([points - 1], cm) are the arc lengths between them. Order 2; it
-/// needs a third derivative that can be trusted, unlike profile_of_frames.
+/// interval; `steps` ([points - 1], cm) are the arc lengths between them. Order 2. Unlike
+/// profile_of_frames it needs an accurate third derivative.
 FrenetProfile profile_of_points(std::span<const FrenetPoint> points,
                                 std::span<const double> steps);
 
@@ -45,11 +46,11 @@ enum class FrenetMethod {
     point_values,  ///< means of the values at points [TW99, Eq. 39-41]
 };
 
-/// The profile of `curve` over n intervals of equal arc length (n >= 1, else
-/// std::invalid_argument). The synthesized strand is off the curve by order 2 in the
-/// interval, and its length is the curve's. N is tracked at four places a piece of the
-/// curve at least, so that a coarse profile neither loses turns nor signs. `hint` is the
-/// normal of a straight strand: the scalp's tangent.
+/// The profile of `curve` over n >= 1 intervals of equal arc length; throws
+/// std::invalid_argument otherwise. The synthesized strand deviates from the curve by
+/// order 2 in the interval, and has the curve's length. N is tracked at four or more
+/// places per piece of the curve, so that a coarse profile loses neither turns nor signs.
+/// `hint` is the normal of a straight strand: the scalp's tangent.
 FrenetProfile analyze(const Curve& curve, int n, const Vec3& hint,
                       FrenetMethod method = FrenetMethod::frames,
                       double straight_turn = kStraightTurn);

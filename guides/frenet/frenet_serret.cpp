@@ -8,12 +8,12 @@ namespace lancret {
 
 namespace {
 
-/// The helix of the same end frame, its turn changed by whole ones, nearest to
-/// `expected`.
+/// The helix nearest to `expected` of those with the same end frame, whose turns differ
+/// by whole ones.
 FrenetRates unwrapped(const FrenetRates& rates, double ds, const FrenetRates& expected) {
     const Vec2 w = ds * Vec2(rates.curvature, rates.torsion);
     const Vec2 target = ds * Vec2(expected.curvature, expected.torsion);
-    // Without a turn of its own the interval may make whole turns about any axis.
+    // An interval without a turn may make whole turns about any axis.
     const double turn = w.norm();
     const double size = turn > 0 ? turn : target.norm();
     if (size == 0) return rates;
@@ -39,7 +39,7 @@ std::vector<HelixState<double>> synthesize(const FrenetProfile& profile) {
 
 FrenetRates frenet_step(const Mat3& rotation, double ds,
                         const std::optional<FrenetRates>& expected) {
-    // The paper's letters; b and e stand twice in the matrix, and their mean is taken.
+    // The paper's letters; b and e occur twice in the matrix, and the mean is used.
     const double a = rotation(0, 0), d = rotation(1, 1), f = rotation(2, 2);
     const double b = (rotation(1, 0) - rotation(0, 1)) / 2;
     const double e = (rotation(2, 1) - rotation(1, 2)) / 2;
@@ -69,9 +69,10 @@ FrenetProfile profile_of_frames(std::span<const HelixState<double>> states,
                                 std::span<const FrenetRates> expected) {
     if (states.size() != steps.size() + 1)
         throw std::invalid_argument(
-            "profile_of_frames: one state more than steps needed");
+            "profile_of_frames: expected one state more than steps");
     if (!expected.empty() && expected.size() != steps.size())
-        throw std::invalid_argument("profile_of_frames: expected rates for every step");
+        throw std::invalid_argument(
+            "profile_of_frames: expected one rate per step or none");
     FrenetProfile profile;
     profile.root = states[0];
     profile.steps.assign(steps.begin(), steps.end());

@@ -8,8 +8,8 @@
 
 namespace lancret {
 
-/// U(s) and R(s) at the joints of a profile, in the paper's rows: the matrix F has T, N,
-/// B as its rows and F(s) = U(s) F(0) [TW99, Eq. 13]. With our columns that is frame(s) =
+/// U(s) and R(s) at the joints of a profile, in the paper's convention: F has T, N, B as
+/// rows and F(s) = U(s) F(0) [TW99, Eq. 13]. With our columns that is frame(s) =
 /// frame(0) U(s)^T.
 struct OrderedExponential {
     std::vector<double> arc_lengths;  ///< [n + 1], s from the root, cm
@@ -17,7 +17,7 @@ struct OrderedExponential {
     std::vector<Mat3> integrals;  ///< [n + 1], R(s), the integral of U, cm [TW99, Eq. 15]
 };
 
-/// U and R of a profile, exact for its piecewise constant rates. The root is not read.
+/// U and R of a profile, exact for its piecewise constant rates. Does not use the root.
 OrderedExponential ordered_exponential(const FrenetProfile& profile);
 
 /// The strand of that shape on `root`: x(s) = x(0) + e1 . R(s) . F(0) [TW99, Eq. 16,

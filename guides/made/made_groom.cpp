@@ -42,7 +42,7 @@ TriangleMesh make_head() {
     };
     for (std::uint32_t j = 0; j <= kUp; ++j) {
         for (std::uint32_t i = 0; i <= kAround; ++i) {
-            // The last column closes the first, and a pole is one place, to the bit.
+            // The last column equals the first, and a pole is one position, bit for bit.
             const double azimuth = (2 * kPi) * (i % kAround) / kAround;
             const double height = kPi * j / kUp;
             const double ring = j % kUp == 0 ? 0 : std::sin(height);
@@ -62,7 +62,7 @@ TriangleMesh make_head() {
     };
     for (std::uint32_t j = 0; j < kUp; ++j) {
         for (std::uint32_t i = 0; i < kAround; ++i) {
-            // At a pole one of the two would have no area.
+            // At a pole one of the two triangles would have no area.
             if (j > 0) add({{{i, j}, {i + 1, j}, {i + 1, j + 1}}});
             if (j + 1 < kUp) add({{{i, j}, {i + 1, j + 1}, {i, j + 1}}});
         }
@@ -102,8 +102,7 @@ TriangleMesh scalp_of(const TriangleMesh& head) {
     return scalp;
 }
 
-/// How far a place is outside the head grown by `clearance`: negative inside, cm to first
-/// order.
+/// Distance from the head enlarged by `clearance`, cm to first order; negative inside.
 double height_above(const Vec3& p, double clearance) {
     const Vec3 axes = kMadeHead.array() + clearance;
     const Vec3 d = p.cwiseQuotient(axes);
@@ -126,17 +125,17 @@ double field(const Vec3& p, std::uint64_t seed, std::uint64_t salt) {
         };
         const Vec3 direction(random(0) - 0.5, random(1) - 0.5, random(2) - 0.5);
         const double wavelength = 9 + 9 * random(3);
-        // No direction is too short to have one: the constant keeps it from vanishing.
+        // The constant keeps the direction from being zero.
         const Vec3 unit = (direction + Vec3(1e-3, 0, 0)).normalized();
         sum += std::sin((2 * kPi) * (unit.dot(p) / wavelength + random(4)));
     }
     return std::clamp(sum / 2, -1.0, 1.0);
 }
 
-/// Which way the hair is combed and falls, at a place outside the head.
+/// The direction in which hair is combed and falls at a place outside the head.
 Vec3 combed(const Vec3& p, double parted) {
     const Vec3 n = outwards(p);
-    // On the top it goes away from the parting and a little back; on the sides it falls.
+    // On top it is combed away from the parting and slightly back; on the sides it falls.
     const double top = std::pow(std::max(0.0, n.y()), 1.5);
     Vec3 way(2.2 * top * parted, -1, -1.1 * top * (1 - 0.4 * std::abs(parted)));
     // Off the cheeks, and towards the neck below the head.
@@ -265,7 +264,7 @@ std::vector<Vec3> Strand::points() const {
     return points;
 }
 
-/// Where a strand's combing changes sides while that change is sharp.
+/// The line at which the combing changes sides, as far as that change is sharp.
 std::vector<Vec3> middle_parting() {
     constexpr double kEnd = -0.16, kStart = 0.96;  // radian from the top, face positive
     constexpr int kPieces = 40;
@@ -283,15 +282,16 @@ void check_made(const MadeGroomSettings& s) {
     constexpr double kMax = 1e4;  // also false for a NaN
     require(s.strands > 0 && s.points >= 4 &&
                 double(s.strands) * s.points <= std::numeric_limits<std::uint32_t>::max(),
-            "make_groom: expected one strand or more, of four points or more");
+            "make_groom: expected at least one strand, of at least four points");
     require(s.shortest > 0 && s.longest >= s.shortest && s.longest <= kMax,
             "make_groom: expected 0 < shortest <= longest");
-    require(s.curl_radius >= 0 && s.curl_radius <= kMax && s.curl_wavelength >= 0 &&
-                s.curl_wavelength <= kMax && s.frizz >= 0 && s.frizz <= kMax,
-            "make_groom: expected a curl radius, curl wavelength and frizz of 0 or more");
+    require(
+        s.curl_radius >= 0 && s.curl_radius <= kMax && s.curl_wavelength >= 0 &&
+            s.curl_wavelength <= kMax && s.frizz >= 0 && s.frizz <= kMax,
+        "make_groom: expected a curl radius, curl wavelength and frizz of at least 0");
     require(s.phase_spread >= 0 && s.phase_spread <= kMax && s.length_spread >= 0 &&
                 s.length_spread < 1,
-            "make_groom: expected a phase spread of 0 or more and a length spread within "
+            "make_groom: expected a phase spread of at least 0 and a length spread in "
             "[0, 1)");
 }
 

@@ -13,9 +13,9 @@ namespace lancret {
 
 namespace {
 
-constexpr std::uint32_t kCells = 48;  ///< along a side
+constexpr std::uint32_t kCells = 48;  ///< per side
 
-/// What a random number is for.
+/// The use of a random number.
 enum Salt : std::uint64_t { kLength = 1, kSide, kLean, kBow, kOwnLength };
 
 /// The ground's height, cm: a rise in the middle and a fold across it.
@@ -58,9 +58,9 @@ std::vector<Vec3> blade(const MadeGroomSettings& settings, std::uint64_t id,
     const auto random = [&](std::uint64_t salt) {
         return unit_double(hash_bits(settings.seed, id, salt));
     };
-    const double own = 1 + settings.length_spread * (2 * random(kOwnLength) - 1);
+    const double spread = 1 + settings.length_spread * (2 * random(kOwnLength) - 1);
     const double length =
-        own *
+        spread *
         (settings.shortest + random(kLength) * (settings.longest - settings.shortest));
     const double ds = length / (settings.points - 1);
 

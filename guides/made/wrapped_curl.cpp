@@ -15,18 +15,18 @@ namespace lancret {
 
 namespace {
 
-/// The share of a strand over which its curl grows in.
+/// Share of a strand over which its curl grows in.
 constexpr double kGrowth = 0.2;
 
-/// Points of one turn: a spline through them is off a circle by (2 pi / 24)^4 / 384 =
+/// Points per turn: a spline through them deviates from a circle by (2 pi / 24)^4 / 384 =
 /// 1.2e-5 of its radius.
 constexpr double kPointsPerTurn = 24;
 constexpr int kMinPoints = 64;
 
-/// Turns differ from strand to strand by so many standard deviations at most.
+/// Maximum deviation of a strand's turns, in standard deviations.
 constexpr double kMaxDeviations = 3;
 
-/// What is drawn for a strand.
+/// The random values of a strand.
 struct DrawnCurl {
     double turns, phase;
 };
@@ -36,7 +36,7 @@ DrawnCurl drawn_curl(const CurlSettings& curl, std::uint64_t seed, std::size_t s
     const auto draw = [&](std::uint64_t n) {
         return unit_double(hash_bits(seed, strand, kSalt + n));
     };
-    // Box and Muller's normal number.
+    // A normal number by Box and Muller.
     const double normal =
         std::sqrt(-2 * std::log(1 - draw(0))) * std::cos((2 * kPi) * draw(1));
     const double within = std::clamp(normal, -kMaxDeviations, kMaxDeviations);
@@ -47,15 +47,15 @@ DrawnCurl drawn_curl(const CurlSettings& curl, std::uint64_t seed, std::size_t s
 
 Strands wrapped_in_curls(const Strands& strands, const CurlSettings& curl,
                          std::uint64_t seed) {
-    const auto within = [](double value, double most) {
-        return value >= 0 && value <= most;
+    const auto within = [](double value, double limit) {
+        return value >= 0 && value <= limit;
     };
     if (!within(curl.radius, 1) || !within(curl.turns, kMaxCurlTurns) ||
         !within(curl.jitter, 1)) {
-        throw std::invalid_argument("wrapped_in_curls: a setting is out of its range");
+        throw std::invalid_argument("wrapped_in_curls: a setting is out of range");
     }
-    const double most_turns = curl.turns * (1 + kMaxDeviations * curl.jitter);
-    const int n = std::max(kMinPoints, int(std::ceil(kPointsPerTurn * most_turns)));
+    const double max_turns = curl.turns * (1 + kMaxDeviations * curl.jitter);
+    const int n = std::max(kMinPoints, int(std::ceil(kPointsPerTurn * max_turns)));
     std::vector<std::vector<Vec3f>> wound(strands.size());
     cancellable_for(std::size_t(0), strands.size(), [&](std::size_t i) {
         const auto curve = strand_curve(strands, i);

@@ -1,5 +1,5 @@
 #pragma once
-// Strands wound into curls: a groom without curls stands in for one with them.
+// Strands wound into curls, to turn a straight groom into a curly one.
 
 #include <cstdint>
 
@@ -8,18 +8,17 @@
 namespace lancret {
 
 struct CurlSettings {
-    double radius = 0.02;  ///< over the strand's length, 0 to 1
+    double radius = 0.02;  ///< relative to the strand's length, 0 to 1
     double turns = 8;      ///< from root to tip, 0 to kMaxCurlTurns
-    double jitter = 0;     ///< of the turns from strand to strand, relative, 0 to 1:
-                           ///< the standard deviation
+    double jitter = 0;     ///< relative standard deviation of the turns, 0 to 1
 };
 constexpr double kMaxCurlTurns = 100;
 
-/// Winds each strand round itself as a helix about its own curve. The curl grows in over
-/// the first fifth, so that roots stay where they are. Phase (even) and turns (normal,
-/// not below 0) are drawn by hash of (seed, strand). The strands come out as points to
-/// pass through, all of one number, without attributes; a strand without a length is left
-/// out. Throws std::invalid_argument where a setting is out of its range.
+/// Winds each strand as a helix about its curve. The curl grows in over the first fifth,
+/// so that roots stay in place. Phase (uniform) and turns (normal, at least 0) are drawn
+/// by hash of (seed, strand). The result has Catmull-Rom points, the same number per
+/// strand, and no attributes; strands without a length are left out. Throws
+/// std::invalid_argument if a setting is out of range.
 Strands wrapped_in_curls(const Strands& strands, const CurlSettings& curl,
                          std::uint64_t seed);
 

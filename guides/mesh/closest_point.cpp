@@ -29,11 +29,11 @@ Nearest nearest_to_origin(const std::array<Vec3, 3>& p) {
     const double a = e1.dot(e1), b = e1.dot(e2), c = e2.dot(e2);
     const double f = -e1.dot(p[0]), g = -e2.dot(p[0]), det = a * c - b * b;
     const double u = (f * c - g * b) / det, v = (g * a - f * b) / det;
-    // False, too, for the NaN of a triangle without area.
+    // Also false for the NaN of a triangle without area.
     if (u >= 0 && v >= 0 && u + v <= 1) {
         return {u, v, (p[0] + u * e1 + v * e2).squaredNorm()};
     }
-    // Else it is on an edge: corner `from` plus t along d, in (u, v) from `at` along
+    // Otherwise it is on an edge: corner `from` plus t along d; in (u, v) from `at` along
     // `step`.
     Nearest best;
     const auto edge = [&](const Vec3& from, const Vec3& d, Vec2 at, Vec2 step) {
@@ -73,7 +73,7 @@ struct ClosestPoint::Tree {
 
 namespace {
 
-/// What a query carries through the tree.
+/// The state of a query in the tree.
 template <class Tree>
 struct Search {
     const Tree* tree;
@@ -81,9 +81,9 @@ struct Search {
     Nearest best;
     std::uint32_t triangle = 0;
 
-    /// The tree works in float: the radius keeps a margin above the rounding of its boxes
-    /// and of the place, so that it never passes over a triangle that is nearer, or as
-    /// near, in double.
+    /// The tree works in float. The radius keeps a margin above the rounding of its boxes
+    /// and of the place, so that no triangle is missed that is as near, or nearer, in
+    /// double.
     float radius() const {
         const double distance = std::sqrt(best.distance2);
         return float(distance +
@@ -91,7 +91,7 @@ struct Search {
     }
 };
 
-/// Tries a triangle and draws the tree's search in around the best so far.
+/// Tries a triangle and shrinks the search to the best distance so far.
 template <class Tree>
 bool try_triangle(RTCPointQueryFunctionArguments* args) {
     auto& search = *static_cast<Search<Tree>*>(args->userPtr);
@@ -115,7 +115,7 @@ ClosestPoint::ClosestPoint(const TriangleMesh& mesh) : tree_(std::make_unique<Tr
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t vertex : triangle) {
             if (vertex >= mesh.positions.size()) {
-                throw std::invalid_argument("ClosestPoint: an index points nowhere");
+                throw std::invalid_argument("ClosestPoint: an index is out of range");
             }
         }
     }
@@ -124,7 +124,8 @@ ClosestPoint::ClosestPoint(const TriangleMesh& mesh) : tree_(std::make_unique<Tr
         tree_->reach = std::max(tree_->reach, double(p.cwiseAbs().maxCoeff()));
     }
     tree_->device = rtcNewDevice(nullptr);
-    if (!tree_->device) throw std::runtime_error("ClosestPoint: Embree does not start");
+    if (!tree_->device)
+        throw std::runtime_error("ClosestPoint: Embree cannot be started");
     tree_->scene = rtcNewScene(tree_->device);
     rtcSetSceneFlags(tree_->scene, RTC_SCENE_FLAG_ROBUST);
 
@@ -143,7 +144,7 @@ ClosestPoint::ClosestPoint(const TriangleMesh& mesh) : tree_(std::make_unique<Tr
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(tree_->scene, geometry);
     rtcReleaseGeometry(geometry);
-    // Of a tree that was not finished Embree reads what is not there.
+    // Embree reads invalid memory in a tree whose build was cut short.
     run_to_completion([&] { rtcCommitScene(tree_->scene); });
     if (rtcGetDeviceError(tree_->device) != RTC_ERROR_NONE) {
         throw std::runtime_error("ClosestPoint: Embree cannot build its tree");
@@ -155,7 +156,7 @@ ClosestPoint::ClosestPoint(ClosestPoint&&) noexcept = default;
 ClosestPoint& ClosestPoint::operator=(ClosestPoint&&) noexcept = default;
 
 ClosestResult ClosestPoint::closest(const Vec3& place, double within) const {
-    // A triangle at just `within`, after round-off, still counts; none has this index.
+    // No triangle has this index, so one exactly at `within`, after round-off, counts.
     constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
     Search<Tree> search{tree_.get(), place, {}, kNone};
     search.best.distance2 = within * within;
@@ -169,8 +170,8 @@ ClosestResult ClosestPoint::closest(const Vec3& place, double within) const {
     rtcInitPointQueryContext(&context);
     rtcPointQuery(tree_->scene, &query, &context, nullptr, &search);
 
-    // Where the tree found nothing (a place beyond what float distances can square),
-    // every triangle is tried.
+    // If the tree found nothing (a place whose squared distance overflows a float), every
+    // triangle is tried.
     if (search.triangle == kNone && std::isinf(search.best.distance2)) {
         for (std::uint32_t i = 0; i < tree_->mesh.triangles.size(); ++i) {
             const Nearest found = tree_->nearest(i, place);

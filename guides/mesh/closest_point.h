@@ -7,31 +7,31 @@
 
 namespace lancret {
 
-/// The point of a mesh that is closest to a place.
+/// The closest point of a mesh.
 struct ClosestResult {
     MeshPoint point;
-    Vec3 position = Vec3::Zero();  ///< cm, to double precision: MeshPoint rounds
-    /// The point's u and v before rounding. 0, or u + v = 1 to 2 ulp, on an edge.
+    Vec3 position = Vec3::Zero();  ///< cm, in double precision; MeshPoint is rounded
+    /// u and v of the point before rounding. On an edge one is 0, or u + v = 1 to 2 ulp.
     Vec2 uv = Vec2::Zero();
-    double distance = 0;  ///< cm, from the place asked for
+    double distance = 0;  ///< cm, from the query's place
 };
 
-/// Answers which point of a mesh is closest, by a tree over its triangles. Triangles
-/// without area count as the segments or points that they are.
+/// Finds the closest point of a mesh with a tree over its triangles. A triangle without
+/// area counts as a segment or a point.
 class ClosestPoint {
   public:
-    /// Copies what it needs of the mesh. Throws std::invalid_argument where the mesh has
-    /// no triangles or an index points nowhere.
+    /// Copies the positions and the triangles. Throws std::invalid_argument if the mesh
+    /// has no triangles or an index is out of range.
     explicit ClosestPoint(const TriangleMesh& mesh);
     ~ClosestPoint();
     ClosestPoint(ClosestPoint&&) noexcept;
     ClosestPoint& operator=(ClosestPoint&&) noexcept;
 
-    /// The closest point to `place` (cm, finite). Of several triangles at the same
-    /// distance the one of the lowest index, so the answer is the same each time. Safe to
-    /// call from many threads.
-    /// Nothing further than `within` (cm, >= 0) is looked for, which is much the faster:
-    /// where there is nothing the distance is +infinity and the rest has no meaning.
+    /// The closest point to `place` (cm, finite); of several triangles at the same
+    /// distance the one with the lowest index, so the result is deterministic. May be
+    /// called from several threads. Searches only within `within` (cm, >= 0), which is
+    /// much faster; if it finds nothing, the distance is +infinity and the other fields
+    /// are meaningless.
     ClosestResult closest(const Vec3& place,
                           double within = std::numeric_limits<double>::infinity()) const;
 

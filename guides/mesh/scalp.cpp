@@ -22,7 +22,7 @@ Corners corners_of(const TriangleMesh& mesh, std::size_t triangle) {
 /// Twice the area along the normal.
 Vec3 area_vector(const Corners& p) { return (p[1] - p[0]).cross(p[2] - p[0]); }
 
-/// v / |v|, or `otherwise` where v is zero.
+/// v / |v|, or `otherwise` if v is zero.
 Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
     const double norm = v.stableNorm();
     return norm > 0 ? Vec3(v / norm) : otherwise;
@@ -32,12 +32,13 @@ void check(const TriangleMesh& mesh) {
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t vertex : triangle) {
             if (vertex >= mesh.positions.size()) {
-                throw std::invalid_argument("make_scalp: an index points nowhere");
+                throw std::invalid_argument("make_scalp: an index is out of range");
             }
         }
     }
     if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.triangles.size()) {
-        throw std::invalid_argument("make_scalp: expected UVs for each triangle or none");
+        throw std::invalid_argument(
+            "make_scalp: expected UVs for every triangle or none");
     }
 }
 
@@ -75,7 +76,7 @@ Vec3 scalp_normal(const Scalp& scalp, const MeshPoint& point) {
     const double u = point.u, v = point.v;
     const Vec3 blend = (1 - u - v) * scalp.normals[t[0]] + u * scalp.normals[t[1]] +
                        v * scalp.normals[t[2]];
-    // Unit vectors that cancel leave round-off, which has no direction.
+    // Unit vectors that cancel leave only round-off.
     if (blend.squaredNorm() > 1e-20) return blend.normalized();
     return unit_or(area_vector(corners_of(scalp.mesh, point.triangle)), Vec3::UnitZ());
 }
@@ -93,7 +94,7 @@ Mat3 surface_frame(const Scalp& scalp, const MeshPoint& point) {
     const Vec3 normal = scalp_normal(scalp, point);
     const std::array<Vec3, 3> edges{p[1] - p[0], p[2] - p[0], p[2] - p[1]};
 
-    // Each candidate is taken where, of what its size could be, some is left across the
+    // A candidate is accepted if a fraction of its possible size remains across the
     // normal.
     Vec3 tangent = Vec3::Zero();
     const auto take = [&](const Vec3& candidate, double size) {
@@ -107,7 +108,7 @@ Mat3 surface_frame(const Scalp& scalp, const MeshPoint& point) {
         const Vec2 d1 = (t[1] - t[0]).cast<double>(), d2 = (t[2] - t[0]).cast<double>();
         const double area = d1.x() * d2.y() - d1.y() * d2.x();
         const double size = d1.norm() * d2.norm();
-        // dp/du is (e1 dv2 - e2 dv1) / area; only its direction is wanted.
+        // dp/du is (e1 dv2 - e2 dv1) / area; only its direction matters.
         if (std::abs(area) > 1e-9 * size) {
             take(std::copysign(1.0, area) * (edges[0] * d2.y() - edges[1] * d1.y()),
                  edges[0].norm() * std::abs(d2.y()) + edges[1].norm() * std::abs(d1.y()));

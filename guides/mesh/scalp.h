@@ -7,7 +7,7 @@
 
 namespace lancret {
 
-/// A mesh with what evaluating it needs. Made by make_scalp and not changed after.
+/// A mesh with its normals and areas. Made by make_scalp and not modified afterwards.
 struct Scalp {
     TriangleMesh mesh;
     std::vector<Vec3> normals;  ///< [vertices], smooth, unit
@@ -17,25 +17,25 @@ struct Scalp {
 
 /// The scalp of a mesh. A vertex's normal is the area-weighted mean of its triangles';
 /// vertices at the same position share one, so that a seam in the UVs does not break the
-/// surface. Where a mean vanishes the normal is +Z. Throws std::invalid_argument where an
-/// index points nowhere or `uvs` is neither empty nor one a triangle.
+/// surface. If the mean is zero, the normal is +Z. Throws std::invalid_argument if an
+/// index is out of range or `uvs` is neither empty nor of one entry per triangle.
 Scalp make_scalp(TriangleMesh mesh);
 
 /// The point's position, cm.
 Vec3 scalp_position(const Scalp& scalp, const MeshPoint& point);
 
-/// The smooth normal: vertex normals interpolated, unit length. Where they cancel, the
-/// triangle's own; where that has none, +Z.
+/// The smooth normal: the interpolated vertex normals, unit length. If they cancel, the
+/// normal of the triangle; +Z if that has no area.
 Vec3 scalp_normal(const Scalp& scalp, const MeshPoint& point);
 
-/// The texture coordinates; (0, 0) where the mesh has none.
+/// The texture coordinates; (0, 0) if the mesh has none.
 Vec2 scalp_uv(const Scalp& scalp, const MeshPoint& point);
 
-/// The surface's own frame: columns [normal, tangent, normal x tangent], a rotation. The
-/// tangent is dp/du made perpendicular to the smooth normal. Where the UVs are missing or
-/// flat it is the triangle's first edge that is not along the normal, else any fixed
-/// perpendicular: a triangle without area has a frame too. A frame's third column follows
-/// from the other two, so mirrored UVs do not mirror it.
+/// The frame of the surface: columns [normal, tangent, normal x tangent], a rotation. The
+/// tangent is dp/du made perpendicular to the smooth normal. If the UVs are missing or
+/// degenerate, it comes from the triangle's first edge that is not along the normal, or
+/// is a fixed perpendicular: a triangle without area has a frame too. Mirrored UVs do not
+/// mirror the frame, because the third column follows from the other two.
 Mat3 surface_frame(const Scalp& scalp, const MeshPoint& point);
 
 }  // namespace lancret

@@ -18,10 +18,10 @@ namespace {
 /// g^-1 and g^-2 times 2^64, odd so that the period is 2^64.
 constexpr std::array<std::uint64_t, 2> kSteps{0xc13fa9a902a6328fu, 0x91e10da5c79e7b1du};
 
-constexpr std::size_t kChunk = 4096;            ///< candidates in a task
-constexpr std::size_t kChunksAtOnce = 16;       ///< in a round, so that little is wasted
-constexpr std::size_t kTrials = 1 << 17;        ///< candidates before a filter is judged
-constexpr std::size_t kMaxTriesPerRoot = 1000;  ///< on average, after those
+constexpr std::size_t kChunk = 4096;       ///< candidates per task
+constexpr std::size_t kChunksAtOnce = 16;  ///< per round; few, so that little is wasted
+constexpr std::size_t kTrials = 1 << 17;   ///< candidates before a filter may be rejected
+constexpr std::size_t kMaxTriesPerRoot = 1000;  ///< average, once those are tried
 
 /// The lowest 21 bits of x, each followed by two zeros.
 std::uint64_t spread_bits(std::uint64_t x) {
@@ -32,7 +32,7 @@ std::uint64_t spread_bits(std::uint64_t x) {
     return (x | x << 2) & 0x1249249249249249u;
 }
 
-/// The triangles that have area, along a Morton curve through their centroids.
+/// The triangles with an area, along a Morton curve through their centroids.
 std::vector<std::uint32_t> triangles_along_curve(const Scalp& scalp) {
     const auto& mesh = scalp.mesh;
     Eigen::AlignedBox3d box;
@@ -56,9 +56,8 @@ std::vector<std::uint32_t> triangles_along_curve(const Scalp& scalp) {
     return order;
 }
 
-/// The unit square onto the triangle u, v >= 0, u + v <= 1, evenly and without tearing
-/// neighbours apart: each half of the square, cut along its diagonal, is sheared onto
-/// half of the triangle.
+/// Maps the unit square onto the triangle u, v >= 0, u + v <= 1, evenly and continuously:
+/// each half of the square, cut along its diagonal, is sheared onto half of the triangle.
 MeshPoint place_in_triangle(std::uint32_t triangle, float a, float b) {
     if (b > a) {
         a /= 2;
@@ -109,9 +108,9 @@ std::vector<MeshPoint> filtered_roots(const Scalp& scalp, const Candidates& cand
     for (std::uint64_t next = 0; roots.size() < count; next += kChunksAtOnce * kChunk) {
         if (next >= kTrials && next / kMaxTriesPerRoot > roots.size()) {
             throw InputError(
-                fmt::format("roots on the scalp: only {} of {} places tried may have "
-                            "hair, expected at "
-                            "least one in {}; is the region or density map empty?",
+                fmt::format("roots on the scalp: hair may grow at only {} of {} places "
+                            "tried, expected at least one in {}; is the region or "
+                            "density map empty?",
                             roots.size(), next, kMaxTriesPerRoot));
         }
         cancellable_for(std::size_t(0), kChunksAtOnce, [&](std::size_t c) {
@@ -123,7 +122,7 @@ std::vector<MeshPoint> filtered_roots(const Scalp& scalp, const Candidates& cand
                 }
             }
         });
-        // In the order of the candidates, whoever tried them.
+        // In the order of the candidates, whichever thread tried them.
         for (const auto& chunk : chunks) {
             const std::size_t wanted = std::min(chunk.size(), count - roots.size());
             roots.insert(roots.end(), chunk.begin(),

@@ -1,5 +1,5 @@
 #pragma once
-// A triangle mesh as files give it.
+// A triangle mesh as files store it.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@ struct TriangleMesh {
     std::vector<Vec3f> positions;                         ///< [vertices], cm
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into positions
     std::vector<std::array<Vec2f, 3>>
-        uvs;  ///< [triangles], for each corner; empty without UVs
+        uvs;  ///< [triangles], per corner; empty without UVs
 };
 
 /// A point of a mesh: position = (1 - u - v) p0 + u p1 + v p2 of the triangle.

@@ -7,8 +7,8 @@
 
 namespace lancret {
 
-/// For each vertex the first vertex at the very same position (-0 is 0): itself where
-/// there is no earlier one. So what a UV seam parted is one again.
+/// For each vertex the first vertex at exactly the same position (-0 equals 0), which may
+/// be the vertex itself. Joins what a UV seam separates.
 std::vector<std::uint32_t> welded(const std::vector<Vec3f>& positions);
 
 }  // namespace lancret

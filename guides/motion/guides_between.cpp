@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kKeys = 4;  // before, from, to, after
 
-/// The shares of the keys at `t` from `from` to `to`.
+/// The weights of the keys at `t` in [0, 1] from `from` to `to`.
 using Shares = std::array<double, kKeys>;
 
 Shares linear_shares(double t) { return {0, 1 - t, t, 0}; }
@@ -24,7 +24,7 @@ Shares cubic_shares(double t) {
 
 struct Key {
     const Guides* guides;
-    const std::vector<RigidPose>* carriers;  ///< none: space
+    const std::vector<RigidPose>* carriers;  ///< null: space
 
     HelixState<double> root(std::size_t g) const {
         const HelixState<double> root = guides->root(g);
@@ -39,21 +39,20 @@ void check_alike(const Guides& a, const Guides& b) {
     if (a.size() != b.size() || a.segments != b.segments ||
         a.segment_lengths != b.segment_lengths ||
         a.curvatures.size() != b.curvatures.size()) {
-        throw std::invalid_argument(
-            "guides_between: the frames are not of the same guides");
+        throw std::invalid_argument("guides_between: expected frames of the same guides");
     }
 }
 
 std::array<Key, kKeys> checked_keys(const GuideKeys& keys, const RootCarriers* carriers) {
     if (!keys.from || !keys.to) {
-        throw std::invalid_argument("guides_between: two frames are needed");
+        throw std::invalid_argument("guides_between: expected two frames");
     }
-    const auto key = [&](const Guides* guides, const std::vector<RigidPose>* own) {
+    const auto key = [&](const Guides* guides, const std::vector<RigidPose>* poses) {
         check_alike(*keys.from, *guides);
-        if (carriers && own->size() != guides->size()) {
-            throw std::invalid_argument("guides_between: each guide needs its carriers");
+        if (carriers && poses->size() != guides->size()) {
+            throw std::invalid_argument("guides_between: expected one carrier per guide");
         }
-        return Key{guides, own};
+        return Key{guides, poses};
     };
     const RootCarriers none;
     const RootCarriers& c = carriers ? *carriers : none;
@@ -61,15 +60,15 @@ std::array<Key, kKeys> checked_keys(const GuideKeys& keys, const RootCarriers* c
         return carriers ? &poses : nullptr;
     };
     if (carriers && c.at.size() != keys.from->size()) {
-        throw std::invalid_argument("guides_between: each guide needs its carriers");
+        throw std::invalid_argument("guides_between: expected one carrier per guide");
     }
     const Key from = key(keys.from, of(c.from)), to = key(keys.to, of(c.to));
     return {keys.before ? key(keys.before, of(c.before)) : from, from, to,
             keys.after ? key(keys.after, of(c.after)) : to};
 }
 
-/// The rotation vector of `rotation` that is nearest to `expected`: of all that differ by
-/// whole turns about its axis.
+/// The rotation vector of `rotation`, plus whole turns about its axis, that is nearest to
+/// `expected`.
 Vec3 turn_near(const Mat3& rotation, const Vec3& expected) {
     const Vec3 turn = rotation_log<double>(rotation);
     const double angle = turn.norm();
@@ -78,8 +77,8 @@ Vec3 turn_near(const Mat3& rotation, const Vec3& expected) {
     return turn + std::round((expected.dot(axis) - angle) / kTurn) * kTurn * axis;
 }
 
-/// `base` turned by the weighted rotation vectors from it to the keys. `turns` are those
-/// of the joint before (all zero at the root), and become this joint's.
+/// frames[1] turned by the weighted rotation vectors from it to the keys. `turns` are
+/// those of the previous joint (zero at the root), and become those of this joint.
 Mat3 blended_frame(const std::array<Mat3, kKeys>& frames, const Shares& shares,
                    std::array<Vec3, kKeys>& turns) {
     const Mat3& base = frames[1];
@@ -94,7 +93,7 @@ Mat3 blended_frame(const std::array<Mat3, kKeys>& frames, const Shares& shares,
     return out;
 }
 
-/// Guide g of `out`, in its carrier.
+/// Computes guide g of `out`, relative to its carrier.
 void blend_guide(const std::array<Key, kKeys>& keys, const Shares& shares, InTime in_time,
                  std::size_t g, HelixState<double>& root, Guides& out) {
     std::array<Mat3, kKeys> frames;
@@ -133,7 +132,7 @@ Guides guides_between(const GuideKeys& guides, double share, InTime in_time,
                       const RootCarriers* carriers) {
     // Written so that a NaN fails.
     if (!(share >= 0 && share <= 1)) {
-        throw std::invalid_argument("guides_between: the share is within 0 and 1");
+        throw std::invalid_argument("guides_between: expected a share in [0, 1]");
     }
     const auto keys = checked_keys(guides, carriers);
     if (share == 0) return *guides.from;

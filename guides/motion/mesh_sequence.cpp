@@ -17,17 +17,17 @@ namespace lancret {
 
 namespace {
 
-/// A time needs four files, the next step's mostly the same.
+/// A time needs four files; the next step needs mostly the same.
 constexpr std::size_t kMaxInMemory = 6;
 constexpr int kMaxDigits = 12;
 
-/// The place of a frame in a pattern.
+/// The field of the frame number in a pattern.
 struct FrameField {
     std::size_t begin, end;
     int digits;
 };
 
-/// The first place at or after `from`; begin is npos where there is none.
+/// The first field at or after `from`; `begin` is npos if there is none.
 FrameField next_field(std::string_view pattern, std::size_t from) {
     for (std::size_t i = from; i < pattern.size(); ++i) {
         if (pattern[i] == '#') {
@@ -68,13 +68,13 @@ void check_topology(const std::string& name, const TriangleMesh& mesh,
 }  // namespace
 
 std::filesystem::path frame_path(std::string_view pattern, int frame) {
-    // Folders may be called what they like.
+    // Only the file name is searched: folders may contain any characters.
     const std::size_t name = pattern.find_last_of('/') + 1;
     const FrameField field = next_field(pattern, name);
     if (field.begin == pattern.npos || field.digits > kMaxDigits ||
         next_field(pattern, field.end).begin != pattern.npos) {
         throw InputError(fmt::format(
-            "{}: expected one place for the frame's number, such as %04d or ####, of at "
+            "{}: expected one field for the frame number, such as %04d or ####, of at "
             "most {} digits",
             pattern, kMaxDigits));
     }
@@ -97,7 +97,7 @@ struct MeshSequence::State {
     ObjSequence files;
     std::shared_ptr<const TriangleMesh> rest;
     std::mutex mutex;
-    /// The latest used last.
+    /// Most recently used last.
     std::vector<std::pair<int, std::shared_ptr<const TriangleMesh>>> in_memory;
 
     std::shared_ptr<const TriangleMesh> mesh_at(int frame);
@@ -118,8 +118,8 @@ std::shared_ptr<const TriangleMesh> MeshSequence::State::mesh_at(int frame) {
     for (Vec3f& p : mesh->positions) {
         p *= float(files.centimetres_per_unit);
         if (!is_place(p)) {
-            throw InputError(fmt::format("{}: a vertex beyond {:g} cm is no place",
-                                         path.string(), kLargestCoordinate));
+            throw InputError(fmt::format("{}: a vertex is beyond {:g} cm", path.string(),
+                                         kLargestCoordinate));
         }
     }
     if (in_memory.size() >= kMaxInMemory) in_memory.erase(in_memory.begin());
@@ -131,13 +131,13 @@ MeshSequence::MeshSequence(ObjSequence files, TriangleMesh rest)
     : state_(std::make_unique<State>()) {
     frame_path(files.pattern, files.first);
     if (files.first > files.last) {
-        throw InputError(fmt::format("{}: first frame {} after last frame {}",
+        throw InputError(fmt::format("{}: the first frame {} is after the last frame {}",
                                      files.pattern, files.first, files.last));
     }
     const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
     if (!positive(files.centimetres_per_unit) || !positive(files.frames_per_second)) {
         throw std::invalid_argument(
-            "MeshSequence: units and frames a second are above 0");
+            "MeshSequence: the unit and the frames per second must be above 0");
     }
     state_->files = std::move(files);
     state_->rest = std::make_shared<TriangleMesh>(std::move(rest));
@@ -149,11 +149,11 @@ MeshSequence& MeshSequence::operator=(MeshSequence&&) noexcept = default;
 
 MeshMotion MeshSequence::at(double frame) const {
     if (!std::isfinite(frame)) {
-        throw std::invalid_argument("MeshSequence: the frame is finite");
+        throw std::invalid_argument("MeshSequence: the frame must be finite");
     }
     const auto& [pattern, first, last, unit, fps] = state_->files;
     const double inside = std::clamp(frame, double(first), double(last));
-    // The last frame is the end of the interval before it.
+    // The last frame is the end of the last interval.
     const int from =
         int(std::max(double(first), std::min(std::floor(inside), double(last) - 1.0)));
     const double t = inside - from, t2 = t * t, t3 = t2 * t;

@@ -29,7 +29,7 @@ void read_motion_keys(const TomlTable& table, MotionSettings& out) {
         if (!frame) key.fail("", "a key needs its 'frame'");
         pose.frame = *frame;
         if (!out.keys.empty() && pose.frame < out.keys.back().frame + 1e-6) {
-            key.fail("frame", "the frames of keys must rise");
+            key.fail("frame", "the frames of keys must increase");
         }
         assign_if(pose.translation, bounded_vector(key, "move"));
         assign_if(pose.rotation, bounded_vector(key, "turn"));
@@ -50,8 +50,7 @@ MotionSettings read_motion(const TomlTable& table, double centimetres_per_unit) 
         const auto last = table.integer("last", 0, std::int64_t(kMaxFrame));
         if (!first || !last || *first > *last) {
             table.fail("files",
-                       "needs the frames that there are files for, 'first' and "
-                       "'last'");
+                       "'files' needs the frame numbers of its files, 'first' <= 'last'");
         }
         out.files.first = int(*first);
         out.files.last = int(*last);
@@ -63,7 +62,7 @@ ScalpMotion scalp_motion(const MotionSettings& settings, const TriangleMesh* res
                          double frames_per_second) {
     if (!settings.files.pattern.empty()) {
         if (!rest) {
-            throw InputError(fmt::format("{}: moves a scalp, and the groom has none",
+            throw InputError(fmt::format("{}: moves a scalp, but the groom has none",
                                          settings.files.pattern));
         }
         ObjSequence files = settings.files;

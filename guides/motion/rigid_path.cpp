@@ -12,13 +12,13 @@ namespace lancret {
 
 namespace {
 
-/// So large and so close may numbers and keys be: no derivative overflows then.
+/// The largest number and the smallest distance of keys: no derivative overflows.
 constexpr double kLargest = kLargestCoordinate, kMinStep = 1e-6;
 
 void check_size(const Vec3& x) {
     // Written so that a NaN fails.
     if (!(x.cwiseAbs().maxCoeff() <= kLargest && x.allFinite())) {
-        throw std::invalid_argument("make_rigid_path: a number is not within 1e9");
+        throw std::invalid_argument("make_rigid_path: a number is beyond 1e9");
     }
 }
 
@@ -36,9 +36,11 @@ Vec3 jacobian_rate(const Vec3& theta, const Vec3& rate) {
 
 RigidPath make_rigid_path(std::vector<PoseKey> keys, const Vec3& pivot,
                           double frames_per_second) {
-    if (keys.empty()) throw std::invalid_argument("make_rigid_path: there are no keys");
+    if (keys.empty())
+        throw std::invalid_argument("make_rigid_path: expected at least one key");
     if (!(frames_per_second > 0 && frames_per_second <= kLargest)) {
-        throw std::invalid_argument("make_rigid_path: frames a second are above 0");
+        throw std::invalid_argument(
+            "make_rigid_path: the frames per second must be above 0");
     }
     check_size(pivot);
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -48,7 +50,7 @@ RigidPath make_rigid_path(std::vector<PoseKey> keys, const Vec3& pivot,
         check_size(key.rotation);
         if (i > 0 && !(key.frame - keys[i - 1].frame >= kMinStep)) {
             throw std::invalid_argument(
-                "make_rigid_path: frames increase from key to key");
+                "make_rigid_path: frames must increase from key to key");
         }
     }
 
@@ -71,7 +73,7 @@ RigidPath make_rigid_path(std::vector<PoseKey> keys, const Vec3& pivot,
 
 RigidMotion rigid_motion(const RigidPath& path, double frame) {
     if (!std::isfinite(frame)) {
-        throw std::invalid_argument("rigid_motion: the frame is finite");
+        throw std::invalid_argument("rigid_motion: the frame must be finite");
     }
     // Value and derivatives per second of translation and rotation vector.
     Eigen::Matrix<double, 6, 3> at = Eigen::Matrix<double, 6, 3>::Zero();

@@ -4,8 +4,9 @@
 
 namespace lancret {
 
-/// How a root moves at one time, in the world: what drives a strand [Bergbom07, Eq. 4.3,
-/// 4.4]. The frame n_i of the pose obeys n_i' = angular_velocity x n_i.
+/// The pose of a root at one time and its derivatives, in world space, which drive a
+/// strand [Bergbom07, Eq. 4.3, 4.4]. The frame n_i of the pose obeys n_i' =
+/// angular_velocity x n_i.
 struct RootMotion {
     HelixState<double> pose;
     Vec3 velocity = Vec3::Zero();              ///< of the root's position, cm/s

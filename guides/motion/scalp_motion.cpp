@@ -12,7 +12,7 @@ namespace lancret {
 
 namespace {
 
-/// A vector that moves, with its first and second derivative.
+/// A vector and its first and second derivative in time.
 using Moving = std::array<Vec3, 3>;
 
 Moving difference(const VertexMotion& a, const VertexMotion& b) {
@@ -35,7 +35,7 @@ Moving unit(const Moving& v) {
     return {g, g1, (v[2] - 2 * g1 * s1 - g * s2) / s};
 }
 
-/// A triangle's own frame: unit first edge, unit normal, and across both.
+/// The frame of a triangle: unit first edge, unit normal, and across both.
 std::array<Moving, 3> triangle_frame(const std::array<VertexMotion, 3>& p,
                                      std::uint32_t triangle, std::string_view name) {
     const Moving e1 = difference(p[1], p[0]), e2 = difference(p[2], p[0]);
@@ -43,8 +43,7 @@ std::array<Moving, 3> triangle_frame(const std::array<VertexMotion, 3>& p,
     const double size = std::max(e1[0].squaredNorm(), e2[0].squaredNorm());
     if (!(area[0].norm() > 1e-9 * size)) {
         throw InputError(
-            fmt::format("{}: triangle {} has no area, expected some under each root",
-                        name, triangle));
+            fmt::format("{}: triangle {} under a root has no area", name, triangle));
     }
     const Moving edge = unit(e1), normal = unit(area);
     return {edge, normal, cross(edge, normal)};
@@ -71,8 +70,7 @@ RootMotion motion_of(const RigidMotion& rigid, const RestRoot& root) {
 
 RootMotion motion_of(const MeshMotion& mesh, const RestRoot& root) {
     if (!root.point || root.point->triangle >= mesh.rest->triangles.size()) {
-        throw std::invalid_argument(
-            "root_motion: the root is on no triangle of the mesh");
+        throw std::invalid_argument("root_motion: the root is not on the mesh");
     }
     const auto& t = mesh.rest->triangles[root.point->triangle];
     std::array<VertexMotion, 3> now, rest;
@@ -122,7 +120,7 @@ TriangleMesh posed(const ScalpTime& scalp, TriangleMesh rest) {
     }
     const auto& mesh = std::get<MeshMotion>(scalp);
     if (rest.positions.size() != mesh.rest->positions.size()) {
-        throw std::invalid_argument("posed: not the rest mesh of the sequence");
+        throw std::invalid_argument("posed: expected the rest mesh of the sequence");
     }
     for (std::uint32_t i = 0; i < rest.positions.size(); ++i) {
         rest.positions[i] = vertex_motion(mesh, i).position.cast<float>();

@@ -20,8 +20,8 @@ std::vector<RigidPose> carriers(const ScalpPose& pose, std::span<const MeshPoint
     const TriangleMesh& mesh = std::get<TriangleMesh>(pose);
     if (places.size() != count) {
         throw InputError(
-            "a posed scalp needs a scalp at rest, and the groom has none: name it in "
-            "[scalp]");
+            "a posed scalp needs a scalp at rest, but the groom has none; set [scalp] "
+            "file");
     }
     std::vector<RigidPose> out(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -36,10 +36,8 @@ std::vector<RigidPose> carriers(const ScalpPose& pose, std::span<const MeshPoint
         const Vec3 origin = corner(0), e1 = corner(1) - origin, e2 = corner(2) - origin;
         const Vec3 area = e1.cross(e2);
         if (!(area.norm() > 1e-9 * std::max(e1.squaredNorm(), e2.squaredNorm()))) {
-            throw InputError(
-                fmt::format("the posed scalp: triangle {} has no area, expected some "
-                            "under each root",
-                            place.triangle));
+            throw InputError(fmt::format(
+                "the posed scalp: triangle {} under a root has no area", place.triangle));
         }
         const Vec3 edge = e1.normalized(), normal = area.normalized();
         out[i].rotation << edge, normal.cross(edge), normal;

@@ -94,7 +94,7 @@ TEST(BadDynamicsFile, InvalidMotions) {
     f.expect_error(2, "[motion]\nkeys = 3\n", "keys");
     f.expect_error(2, "[motion]\nkeys = [1, 2]\n", "keys");
     f.expect_error(3, "[motion]\nkeys = [{frame = 1},\n {turn = [0, 1, 0]}]\n", "frame");
-    f.expect_error(3, "[motion]\nkeys = [{frame = 2},\n {frame = 2}]\n", "rise");
+    f.expect_error(3, "[motion]\nkeys = [{frame = 2},\n {frame = 2}]\n", "increase");
     f.expect_error(2, "[motion]\nkeys = [{frame = nan}]\n", "frame");
     f.expect_error(2, "[motion]\nkeys = [{frame = 1e9}]\n", "frame");
     f.expect_error(2, "[motion]\nkeys = [{frame = 1, turn = 3}]\n", "turn");

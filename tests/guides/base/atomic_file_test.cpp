@@ -57,7 +57,7 @@ TEST(AtomicFile, FoldersAndDevicesAreNotReplaced) {
     EXPECT_THAT(input_error([&] { PendingFile file("/dev/null"); }),
                 HasSubstr("not a regular file"));
     EXPECT_THAT(input_error([&] { PendingFile file(folder.path / ""); }),
-                HasSubstr("a file's name is expected"));
+                HasSubstr("expected the name of a file"));
 }
 
 TEST(AtomicFile, SymbolicLinkStaysALink) {

@@ -213,7 +213,7 @@ TEST_F(GuideCache, RejectsNumbersThatAreNone) {
         set_value(name, 0, nan);  // of frame 0
         EXPECT_EQ(error(), "");
         EXPECT_THAT(input_error([&] { read_guide_cache(path, 0); }),
-                    AllOf(HasSubstr(name), HasSubstr("is not finite at number 0")));
+                    AllOf(HasSubstr(name), HasSubstr("value 0 of those read is not finite")));
     }
     write_guide_cache(path, {}, frames);
     set_value("/segment_lengths", 6, 0);
@@ -290,7 +290,7 @@ TEST_F(GuideCache, RestartIsRefusedWhereItIsNotWhatItShouldBe) {
     write();
     EXPECT_EQ(read_restart(path).arrays, (RestartArrays{{"a", {1, 2}}, {"b", {3}}}));
     set_value("/restart/a", 1, std::numeric_limits<double>::infinity());
-    EXPECT_THAT(restart_error(), HasSubstr("'a' is not finite at number 1"));
+    EXPECT_THAT(restart_error(), HasSubstr("'a': value 1 of those read is not finite"));
     write();
     replace("/restart/b", {3, 3});
     EXPECT_THAT(restart_error(), HasSubstr("'b' has 2 dimensions, expected 1"));

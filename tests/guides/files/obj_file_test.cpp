@@ -65,18 +65,18 @@ TEST_F(ObjFile, MergesShapesAndReadsCornersOfEveryForm) {
 
 TEST_F(ObjFile, NamesTheLineOfWhatIsWrong) {
     const std::pair<const char*, const char*> cases[] = {
-        {"v nan 0 0\n", ":5: vertex (nan, 0, 0) is no place"},
+        {"v nan 0 0\n", ":5: invalid vertex (nan, 0, 0)"},
         {"v 1e999 0 0\n", ":5: '1e999' in the vertex is not a number"},
-        {"v 1e30 0 0\n", ":5: vertex (1e+30, 0, 0) is no place"},
+        {"v 1e30 0 0\n", ":5: invalid vertex (1e+30, 0, 0)"},
         {"v 1 2\n", ":5: a number of the vertex is missing"},
         {"v 1 2 x\n", ":5: 'x' in the vertex is not a number"},
         {"vt inf 0\n", ":5: the texture coordinate is not finite"},
-        {"f 1 2\n", ":5: a face of 2 corners"},
+        {"f 1 2\n", ":5: a face has 2 corners"},
         {"f 1 2 5\n", ":5: index 5 of a vertex, but there are 4"},
         {"f 1 2 0\n", ":5: index 0 of a vertex, but there are 4"},
         {"f 1 2 -5\n", ":5: index -5 of a vertex, but there are 4"},
         {"f 1/1 2/1 3/1\n", ":5: index 1 of a texture coordinate, but there are 0"},
-        {"f 1 2 99999999999999999999\n", ":5: the index of a vertex is no number"},
+        {"f 1 2 99999999999999999999\n", ":5: the index of a vertex is not a number"},
         {"f 1 2 3x\n", ":5: '3x' is not a corner"},
         {"f 1//0 2//1 3//1\n", ":5: '1//0' is not a corner"},
     };
@@ -85,7 +85,7 @@ TEST_F(ObjFile, NamesTheLineOfWhatIsWrong) {
     }
     std::string face = "f";
     for (int i = 0; i < 1001; ++i) face += " 1";
-    EXPECT_THAT(error_of(kSquare + face), HasSubstr(":5: a face of more than 1000"));
+    EXPECT_THAT(error_of(kSquare + face), HasSubstr(":5: a face has more than 1000"));
 }
 
 TEST_F(ObjFile, NothingToGrowOnIsAnError) {

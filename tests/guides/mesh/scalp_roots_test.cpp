@@ -174,7 +174,7 @@ TEST(ScalpRoots, HopelessFilterIsAnInputError) {
     const Scalp scalp = make_scalp(square_mesh(1, 1));
     const auto none = [](const MeshPoint&, const Vec3&) { return false; };
     EXPECT_THAT(input_error([&] { scalp_roots(scalp, 10, 0, none); }),
-                testing::HasSubstr("only 0 of 131072 places tried may have hair"));
+                testing::HasSubstr("hair may grow at only 0 of 131072 places"));
     // One in 400 is few, but enough.
     const auto few = [](const MeshPoint&, const Vec3& p) {
         return p.x() < 0.05 && p.y() < 0.05;
