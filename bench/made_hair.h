@@ -1,6 +1,6 @@
 #pragma once
-// The made groom at any number of children, for measurements. Its guides are fitted once
-// a run.
+// The generated groom with any number of children, for benchmarks. Its guides are fitted
+// once per run.
 
 #include <limits>
 
@@ -28,7 +28,8 @@ inline Roots made_roots(std::uint32_t children) {
                                      .on_strands = {}});
 }
 
-/// Kept from call to call: a benchmark is set up anew for every trial of its length.
+/// Cached between calls, because a benchmark is set up again for every trial of its
+/// length.
 inline const Binding& made_binding(std::uint32_t children) {
     static Binding binding;
     if (binding.size() != children) {
@@ -39,7 +40,7 @@ inline const Binding& made_binding(std::uint32_t children) {
     return binding;
 }
 
-/// As many intervals a strand as a groom of these guides takes by itself.
+/// The intervals per strand that a groom of these guides uses by default.
 inline int made_intervals() {
     static const int intervals =
         intervals_within(made_binding(10'000), made_guides().guides, Blend::option1,

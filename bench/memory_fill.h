@@ -1,5 +1,6 @@
 #pragma once
-// How fast this machine can write memory, for a share to be taken of it in the same run.
+// The bandwidth at which this machine writes memory, as a reference for other figures of
+// the same run.
 
 #include <benchmark/benchmark.h>
 #include <oneapi/tbb/blocked_range.h>
@@ -19,8 +20,8 @@
 
 namespace lancret::bench {
 
-/// Fills `size` floats (a multiple of 4, 16-byte aligned): past the caches where the
-/// processor has such stores, else as std::fill does.
+/// Fills `size` floats (a multiple of 4, 16-byte aligned), bypassing the caches if the
+/// processor can; otherwise as std::fill does.
 inline void fill_floats(float* data, std::size_t size, float value) {
 #ifdef __SSE2__
     const __m128 four = _mm_set1_ps(value);
@@ -37,17 +38,17 @@ void on_threads(int threads, Work&& work) {
     tbb::task_arena(threads).execute(work);
 }
 
-/// Bytes a second, by the clock and by the process's CPU time over the threads: where
-/// other programs take their share of the machine, only the latter compares.
+/// Bytes per second, by the clock and by the process's CPU time divided by the threads.
+/// If other programs use the machine, only the latter is comparable.
 struct FillBandwidth {
     double by_clock = 0, by_cpu = 0;
 };
 
-/// What `threads` threads write to 256 MB: the best of five passes, the pages touched
-/// before. Measured once a run and thread count, 1 to 64.
+/// The bandwidth of `threads` threads (1 to 64) over 256 MB of touched pages, the best of
+/// five passes. Measured once per run and number of threads.
 inline const FillBandwidth& fill_bandwidths(int threads) {
-    static std::array<FillBandwidth, 65> known{};
-    FillBandwidth& best = known.at(std::size_t(threads));
+    static std::array<FillBandwidth, 65> measured{};
+    FillBandwidth& best = measured.at(std::size_t(threads));
     if (best.by_clock > 0) return best;
     struct alignas(16) Four {
         float x[4];

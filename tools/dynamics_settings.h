@@ -1,6 +1,6 @@
 #pragma once
-// The dynamics of a groom: the tables [dynamics] and [[colliders]] of its TOML.
-// docs/formats.md lists their keys.
+// The tables [dynamics] and [[colliders]] of a groom's TOML. docs/formats.md lists their
+// keys.
 
 #include <vector>
 
@@ -19,11 +19,13 @@ struct DynamicsSettings {
     std::vector<ColliderSettings> colliders;
 };
 
-/// Reads [dynamics] and [[colliders]]. `motion` is the head's, from [motion].
+/// Reads [dynamics] and [[colliders]]. `motion` is that of the head, from [motion].
+/// Throws InputError.
 DynamicsSettings read_dynamics(const TomlTable& toml, const SceneUnits& scene,
                                MotionSettings motion);
 
-/// What the guides of a groom move with. Throws InputError.
+/// The moving head, roots and bodies for the simulation of a groom's guides. Throws
+/// InputError.
 SimulationScene simulation_scene(const DynamicsSettings& settings,
                                  const PlacedGuides& placed, const SceneUnits& scene,
                                  double frames_per_second);

@@ -1,4 +1,4 @@
-// Fitting the made groom's strands. Arguments: segments a guide, threads.
+// Fitting the generated groom's strands. Arguments: segments per guide, threads.
 
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Triangle meshes in Wavefront OBJ files. The subset is told in docs/formats.md.
+// Triangle meshes in Wavefront OBJ files. docs/formats.md describes the supported subset.
 
 #include <filesystem>
 

@@ -67,8 +67,7 @@ NormalAngles normal_angles(const std::vector<Vec3>& bends,
                            const std::vector<Mat3>& carried,
                            const std::vector<double>& at, double straight_turn) {
     const std::size_t n = bends.size();
-    // Nothing is less than the least of a strand without length, so all of it is
-    // straight.
+    // In a strand without length no place bends.
     const double least = straight_turn / at.back();
     NormalAngles out{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
     std::vector<double> size(n);

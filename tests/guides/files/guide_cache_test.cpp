@@ -212,8 +212,9 @@ TEST_F(GuideCache, RejectsNumbersThatAreNone) {
         write_guide_cache(path, {}, frames);
         set_value(name, 0, nan);  // of frame 0
         EXPECT_EQ(error(), "");
-        EXPECT_THAT(input_error([&] { read_guide_cache(path, 0); }),
-                    AllOf(HasSubstr(name), HasSubstr("value 0 of those read is not finite")));
+        EXPECT_THAT(
+            input_error([&] { read_guide_cache(path, 0); }),
+            AllOf(HasSubstr(name), HasSubstr("value 0 of those read is not finite")));
     }
     write_guide_cache(path, {}, frames);
     set_value("/segment_lengths", 6, 0);
