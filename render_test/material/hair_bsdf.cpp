@@ -46,14 +46,6 @@ Array4f wrapped(const Array4f& angle) {
 
 }  // namespace
 
-float fresnel_dielectric(float cosine, float eta) {
-    const float sine_t2 = (1 - square(cosine)) / square(eta);
-    const float cosine_t = std::sqrt(1 - sine_t2);
-    const float parallel = (eta * cosine - cosine_t) / (eta * cosine + cosine_t);
-    const float across = (cosine - eta * cosine_t) / (cosine + eta * cosine_t);
-    return 0.5f * (square(parallel) + square(across));
-}
-
 HairModel::HairModel(const HairMaterial& material)
     : sigma_a(sigma_a_of(material)), eta(material.eta) {
     const float m = material.beta_m, n = material.beta_n;

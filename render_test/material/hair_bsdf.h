@@ -15,22 +15,12 @@
 #include <optional>
 
 #include "guides/base/types.h"
+#include "render_test/material/bsdf.h"
 #include "render_test/material/hair_colour.h"
 
 namespace lancret {
 
 inline constexpr int kHairLobes = 4;
-
-/// A value and the density of sampling it, always from one evaluation.
-struct BsdfValue {
-    Vec3f value = Vec3f::Zero();  ///< BSDF times cosine, 1/sr
-    float pdf = 0;                ///< 1/sr
-};
-
-struct BsdfSample {
-    Vec3f direction;  ///< unit
-    BsdfValue at;     ///< pdf > 0
-};
 
 /// The part of a material that is the same at every hit. Arrays hold one number per lobe.
 struct HairModel {
@@ -83,8 +73,5 @@ class HairBsdf {
     TurnedInclination wo_;
     Eigen::Array4f phi_;  ///< azimuth of the specular path; unused by the residual
 };
-
-/// Reflectance of a dielectric interface of relative index `eta` > 1, met from outside.
-float fresnel_dielectric(float cosine, float eta);
 
 }  // namespace lancret

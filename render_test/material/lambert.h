@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "render_test/image/texture.h"
-#include "render_test/material/hair_bsdf.h"
+#include "render_test/material/bsdf.h"
 #include "render_test/sampling/sampling.h"
 #include "render_test/scene/hit.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render_test/material/hair_bsdf.h"
+#include "render_test/material/bsdf.h"
 
 namespace lancret {
 namespace {
