@@ -241,7 +241,7 @@ TEST(Frames, AShutterBlursWhatMoves) {
             << text;
     }
     EXPECT_THAT(lancret({"preview", f.made, "--shutter", "0,1", "-o", f.at("b.png")}),
-                refuses_with("--shutter: the groom is no cache"));
+                refuses_with("--shutter: only a cache"));
 }
 
 TEST(Frames, CheckReportsHowFarChildrenMoveComparedWithTheirGuides) {
