@@ -14,7 +14,7 @@ namespace {
 
 using test::curly_strands;
 
-/// 100 strands on a square, each the same points moved to its root.
+/// 100 strands on a square, translated copies of one strand.
 Strands same_strands(double turns) {
     const Strands one = curly_strands(1, 1, turns);
     Strands out;
@@ -30,16 +30,16 @@ GuideProfiles<float> profiles_of(const HoldOut& holdout) {
     return guide_profiles<float>(holdout.guides, evaluation_intervals(holdout.guides));
 }
 
-TEST(Evaluation, StrandsThatAreAllTheSameArePredictedByEveryBlend) {
+TEST(Evaluation, EveryBlendPredictsStrandsThatAreAllTheSame) {
     for (const double turns : {0.0, 3.0}) {
         const HoldOut holdout =
             hold_out(same_strands(turns), nullptr, {.guides = {.number = 9}}, "g");
         const auto profiles = profiles_of(holdout);
         for (const BlendTraits& entry : blends()) {
             const BlendEvaluation found = evaluate_blend(holdout, profiles, entry.blend);
-            // Nothing is left but what the guide itself is off its strand, and float's
-            // round-off: 6e-8 a step over 128 steps at most, and of places up to 20 cm
-            // on a strand of 5 cm and more, 4 * 6e-8.
+            // The remaining error is that of the guide's fit and float round-off: 6e-8
+            // per step over at most 128 steps, and 4 * 6e-8 for places up to 20 cm away
+            // on strands of at least 5 cm.
             const double off = holdout.fit.rms.p95 + 128 * 6e-8 + 4 * 6e-8;
             EXPECT_LE(found.figures.rms.p95, off) << entry.name << " " << turns;
             EXPECT_LE(found.figures.place.p95, off) << entry.name << " " << turns;
@@ -49,8 +49,8 @@ TEST(Evaluation, StrandsThatAreAllTheSameArePredictedByEveryBlend) {
 }
 
 TEST(Evaluation, PositionShortensBetweenGuidesThatPointApart) {
-    // Two guides lean 45 degrees to either side; the strand between them stands upright
-    // and, blended by position, has cos 45 degrees of their length.
+    // Two guides lean 45 degrees to either side. The strand between them is upright and,
+    // blended by position, has cos 45 degrees times their length.
     Strands strands;
     for (const float side : {-1.0f, 0.0f, 1.0f}) {
         for (int j = 0; j < 20; ++j) {
@@ -60,7 +60,7 @@ TEST(Evaluation, PositionShortensBetweenGuidesThatPointApart) {
         }
         strands.first.push_back(std::uint32_t(strands.points.size()));
     }
-    // Seeded with an outer strand, the farthest from it is the other one.
+    // The first guide is an outer strand, and the farthest from it is the other one.
     const HoldOut holdout =
         hold_out(strands, nullptr,
                  {.guides = {.number = 2}, .bind = {.neighbours = 2}, .seed = 0}, "g");
@@ -68,8 +68,9 @@ TEST(Evaluation, PositionShortensBetweenGuidesThatPointApart) {
     const auto profiles = profiles_of(holdout);
     const BlendEvaluation by_place = evaluate_blend(holdout, profiles, Blend::position);
     EXPECT_NEAR(by_place.length_error_max, 1 - std::sqrt(0.5), 1e-5);
-    // At share s it is s (1 - sqrt(1/2)) of the length too low: over the 65 samples s = j
-    // / 64 the mean of s^2 is 64 * 65 * 129 / 6 / 64^2 / 65 = 129 / (6 * 64).
+    // At the fraction s of its length it is too low by s (1 - sqrt(1/2)) of the length.
+    // The mean of s^2 over the 65 samples s = j / 64 is 64 * 65 * 129 / 6 / 64^2 / 65 =
+    // 129 / (6 * 64).
     EXPECT_NEAR(by_place.figures.tip.median, 1 - std::sqrt(0.5), 1e-5);
     EXPECT_NEAR(by_place.figures.rms.median,
                 (1 - std::sqrt(0.5)) * std::sqrt(129.0 / (6 * 64)), 1e-5);
@@ -79,7 +80,7 @@ TEST(Evaluation, PositionShortensBetweenGuidesThatPointApart) {
     EXPECT_LE(by_curvature.figures.rms.median, 1e-5);
 }
 
-TEST(Evaluation, AllButTheCostIsTheSameForAnyThreadCount) {
+TEST(Evaluation, PredictionsAreTheSameForAnyThreadCount) {
     const Strands strands = curly_strands(200, 3);
     const auto run = [&] {
         const HoldOut holdout = hold_out(strands, nullptr, {}, "g");
@@ -95,7 +96,7 @@ TEST(Evaluation, AllButTheCostIsTheSameForAnyThreadCount) {
 }
 
 TEST(Evaluation, PlacesBetweenStatesLieOnTheStrand) {
-    // Children of one guide are that guide, and 48 or 96 intervals do not have a state at
+    // Children with one guide are copies of it, and 48 or 96 intervals have no state at
     // every 64th of the length.
     const HoldOut holdout = hold_out(
         curly_strands(60, 4), nullptr,
@@ -111,7 +112,7 @@ TEST(Evaluation, PlacesBetweenStatesLieOnTheStrand) {
         const Vec3 move = holdout.truth.strand(c)[0] - guide.root.position;
         for (int j = 0; j <= kCompareSteps; ++j) {
             const HelixState<double> exact = state_at(guide, length * j / kCompareSteps);
-            // Float's round-off of 96 steps, each turning what is left of the strand.
+            // Float round-off of 96 steps, each of which rotates the rest of the strand.
             const double off = 96 * 1.2e-7 * length;
             EXPECT_LT((exact.position + move - made.strands.strand(c)[j]).norm(), off);
             const Vec3f tangent = made.tangents[c * (kCompareSteps + 1) + j];

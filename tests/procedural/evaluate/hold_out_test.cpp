@@ -40,7 +40,7 @@ TEST(HoldOut, ChildrenStandOnTheirOwnRoots) {
     }
 }
 
-/// `strands` with every one of `which` bent, lengthened and turned about its root.
+/// `strands` with each of `which` bent, lengthened and rotated about its root.
 Strands with_others(Strands strands, std::span<const std::uint32_t> which) {
     for (const std::uint32_t i : which) {
         const Vec3f root = strands.strand(i)[0];
@@ -53,7 +53,7 @@ Strands with_others(Strands strands, std::span<const std::uint32_t> which) {
     return strands;
 }
 
-TEST(HoldOut, NothingOfALeftOutStrandButItsRootReachesItsPrediction) {
+TEST(HoldOut, PredictionsUseOnlyTheRootOfAHeldOutStrand) {
     const Strands strands = curly_strands(150, 3);
     const Scalp scalp = make_scalp(square_mesh(10, 4));
     for (const Scalp* surface : {static_cast<const Scalp*>(nullptr), &scalp}) {
@@ -62,7 +62,7 @@ TEST(HoldOut, NothingOfALeftOutStrandButItsRootReachesItsPrediction) {
         const HoldOut other =
             hold_out(with_others(strands, holdout.child_strands), surface, settings, "g");
         ASSERT_EQ(holdout.guide_strands, other.guide_strands);
-        // The truth did change.
+        // The truth has changed.
         ASSERT_GT((holdout.truth.points.back() - other.truth.points.back()).norm(), 1);
         EXPECT_EQ(holdout.guides.segments, other.guides.segments);
         EXPECT_EQ(holdout.binding.lengths, other.binding.lengths);
@@ -81,8 +81,8 @@ TEST(HoldOut, NothingOfALeftOutStrandButItsRootReachesItsPrediction) {
     }
 }
 
-TEST(HoldOut, WithoutAScalpNothingIsTurnedAndNothingFaces) {
-    // Half the guides hang head down: with facing they would have no weight.
+TEST(HoldOut, WithoutAScalpNothingIsRotatedAndFacingHasNoEffect) {
+    // Half the guides point downward: with facing they would have no weight.
     Strands strands = curly_strands(100, 4);
     for (std::size_t i = 0; i < strands.size(); i += 2) {
         for (std::uint32_t p = strands.first[i]; p < strands.first[i + 1]; ++p)
@@ -95,12 +95,12 @@ TEST(HoldOut, WithoutAScalpNothingIsTurnedAndNothingFaces) {
         std::ranges::all_of(normals, [](auto& n) { return n == Vec3f::UnitZ(); }));
 }
 
-TEST(HoldOut, ReadGuidesKeepTheirShapeOrSayHowFarTheyCame) {
+TEST(HoldOut, SampledGuidesKeepTheirShape) {
     for (const double turns : {0.0, 2.0, 8.0}) {
         const HoldOut holdout = hold_out(curly_strands(80, 5, turns), nullptr,
                                          {.guides = {.share = 0.2}}, "g");
         EXPECT_FALSE(holdout.fit.fitted);
-        // What make_guides asks for before it stops at fewer than the most segments.
+        // The limits of make_guides for fewer than the maximum of 128 segments.
         if (holdout.guides.segments < 128) {
             EXPECT_LE(holdout.fit.curvature.w1, 0.005) << turns;
             EXPECT_LE(holdout.fit.rms.p95, 0.002) << turns;
@@ -109,7 +109,7 @@ TEST(HoldOut, ReadGuidesKeepTheirShapeOrSayHowFarTheyCame) {
     }
 }
 
-TEST(HoldOut, SegmentsThatAreAskedForAreFitted) {
+TEST(HoldOut, RequestedSegmentsAreFitted) {
     const HoldOut holdout = hold_out(curly_strands(40, 6, 1), nullptr,
                                      {.guides = {.share = 0.2}, .segments = 12}, "g");
     EXPECT_TRUE(holdout.fit.fitted);
@@ -126,7 +126,7 @@ TEST(HoldOut, AGroomWithNothingToPredictIsRefused) {
     EXPECT_NE(input_error([&] { hold_out(one, nullptr, {}, "g.hair"); }), "");
 }
 
-TEST(HoldOut, StrandsWithoutALengthAreLeftAsideAndCounted) {
+TEST(HoldOut, StrandsOfZeroLengthAreIgnoredAndCounted) {
     Strands strands = curly_strands(30, 8);
     for (std::uint32_t p = strands.first[3]; p < strands.first[4]; ++p)
         strands.points[p] = Vec3f(1, 1, 0);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTwoPi = 2 * kPi;
 
-/// `count` strands of `steps` whose point at share t is place(strand, t).
+/// `count` strands of `steps` steps whose point at the fraction t is place(strand, t).
 StrandSamples strands_of(int count, int steps,
                          const std::function<Vec3(int, double)>& place) {
     StrandSamples out{steps, {}};
@@ -24,8 +24,8 @@ StrandSamples strands_of(int count, int steps,
     return out;
 }
 
-/// A helix about +Z of n steps that each turn by w, with radius r and rise h a radian;
-/// right-handed where h is positive.
+/// A helix about +Z of n steps that turn by w each, with radius r and rise h per radian;
+/// right-handed if h is positive.
 StrandSamples helix(double r, double h, double w, int n) {
     return strands_of(1, n, [&](int, double t) {
         const double a = w * n * t;
@@ -33,14 +33,15 @@ StrandSamples helix(double r, double h, double w, int n) {
     });
 }
 
-/// 8 turns of radius 0.3 about 10 cm of +Z, from a phase on.
+/// 8 turns of radius 0.3 about 10 cm of +Z, starting at a phase.
 Vec3 curl(double t, double phase) {
     const double a = kTwoPi * 8 * t + phase;
     return {0.3 * std::cos(a), 0.3 * std::sin(a), 10 * t};
 }
 
 TEST(StrandFigures, CurvatureIsTheTurnOfThePolylineOverItsStep) {
-    // A chord goes 2 r sin(w/2) across and h w along; two in a row lie w apart across.
+    // A chord spans 2 r sin(w/2) across and h w along; successive chords differ by the
+    // angle w across.
     const double r = 1.3, h = 0.4, w = 0.3;
     const double across = 4 * r * r * std::pow(std::sin(w / 2), 2), along = h * h * w * w;
     const double chord = std::sqrt(across + along);
@@ -48,7 +49,7 @@ TEST(StrandFigures, CurvatureIsTheTurnOfThePolylineOverItsStep) {
     std::vector<Weighted> found;
     add_curvatures(helix(r, h, w, 20).strand(0), found);
     ASSERT_EQ(found.size(), 19u);
-    // acos loses about 1e-16 / turn^2, turn = 0.3.
+    // The error of acos is about 1e-16 / turn^2, turn = 0.3.
     for (const Weighted& v : found) EXPECT_NEAR(v.value, turn / chord, 1e-13);
 }
 
@@ -61,13 +62,13 @@ TEST(StrandFigures, TorsionOfAHelixConvergesAtOrderTwoWithItsSign) {
         return found[4].value - sign * tau;
     };
     for (const double sign : {1.0, -1.0}) {
-        // The error is c w^2 + O(w^4): halving w leaves 1/4, but for the next order.
+        // The error is c w^2 + O(w^4): halving w reduces it to 1/4, up to the next order.
         EXPECT_NEAR(error(sign, 0.05) / error(sign, 0.1), 0.25, 0.25 * 0.01);
         EXPECT_LT(std::abs(error(sign, 0.1)), tau * 0.01);
     }
 }
 
-TEST(StrandFigures, AStraightStrandHasNoSayInTorsion) {
+TEST(StrandFigures, AStraightStrandHasNoWeightInTorsion) {
     std::vector<Weighted> found;
     add_torsions(strands_of(1, 8, [](int, double t) { return Vec3(0, 0, t); }).strand(0),
                  found);
@@ -78,13 +79,13 @@ TEST(StrandFigures, AStraightStrandHasNoSayInTorsion) {
     EXPECT_EQ(figures.mean_ratio, 1);
 }
 
-TEST(StrandFigures, AShiftIsAWrongPlaceAndNoWrongShape) {
+TEST(StrandFigures, AShiftChangesThePlaceButNotTheShape) {
     const auto truth = strands_of(5, 64, [](int i, double t) { return curl(t, i); });
     const auto moved = strands_of(
         5, 64, [](int i, double t) { return Vec3(curl(t, i) + Vec3(0.3, 0, 0.4)); });
     const StrandFigures figures =
         strand_figures(truth, std::vector<double>(5, 20.0), moved);
-    // 0.5 cm of 20. Round-off alone.
+    // 0.5 cm of 20, up to round-off.
     for (const Spread& spread : {figures.rms, figures.place, figures.tip}) {
         EXPECT_NEAR(spread.median, 0.025, 1e-14);
         EXPECT_NEAR(spread.p95, 0.025, 1e-14);
@@ -94,19 +95,18 @@ TEST(StrandFigures, AShiftIsAWrongPlaceAndNoWrongShape) {
     EXPECT_NEAR(figures.curvature.mean_ratio, 1, 1e-11);
 }
 
-TEST(StrandFigures, ACurlOfAnotherPhaseIsInItsPlaceButForItsEnds) {
+TEST(StrandFigures, ACurlOfAnotherPhaseIsInPlaceExceptAtItsEnds) {
     const auto truth = strands_of(3, 64, [](int, double t) { return curl(t, 0); });
     const auto turned = strands_of(3, 64, [](int, double t) { return curl(t, kPi / 2); });
     const StrandFigures figures =
         strand_figures(truth, std::vector<double>(3, 20.0), turned);
     const double rms = 0.3 * std::numbers::sqrt2 / 20;  // r 2 sin(phase / 2)
     EXPECT_NEAR(figures.rms.median, rms, 1e-14);
-    // Inside, the low-pass takes the curl to exp(-(2 pi 8 0.08)^2 / 2) = 3e-4 of itself.
-    // At x from an end it sees the end's own offset with weight Phi(-x / sigma), both
-    // ends together with the RMS sqrt(2 * 0.08 * integral of Phi(-y)^2 dy) = sqrt(0.16 *
-    // 0.4674 / 4) = 0.137 of it. What is left of the curl where the kernel is cut off
-    // adds or takes 1 / (sqrt(2 pi) 2 pi 8 0.08) = 0.1 at most, of 0.5 at the end: a
-    // fifth.
+    // In the interior the low-pass reduces the curl to exp(-(2 pi 8 0.08)^2 / 2) = 3e-4.
+    // At x from an end it includes the end's offset with weight Phi(-x / sigma); both
+    // ends together have the RMS sqrt(2 * 0.08 * integral of Phi(-y)^2 dy) = sqrt(0.16 *
+    // 0.4674 / 4) = 0.137 of it. The remainder of the curl where the kernel is clamped is
+    // at most 1 / (sqrt(2 pi) 2 pi 8 0.08) = 0.1 of 0.5 at the end: one fifth.
     EXPECT_NEAR(figures.place.median, rms * 0.137, rms * 0.137 / 5);
     EXPECT_NEAR(figures.curvature.w1, 0, 1e-11);
 }
@@ -121,7 +121,7 @@ TEST(StrandFigures, MedianAndP95AreOverStrands) {
     EXPECT_NEAR(figures.rms.p95, 1.9, 1e-14);
 }
 
-TEST(StrandFigures, QuantilesGoInProportionBetweenValues) {
+TEST(StrandFigures, QuantilesAreInterpolatedLinearly) {
     EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, 0.5), 2.5);
     EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, 0), 1);
     EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, 1), 4);
@@ -141,8 +141,8 @@ TEST(StrandFigures, DistanceOfDistributionsIsThatOfTheirQuantiles) {
         scaled.push_back({1.2 * x, 1});
         mean += x / 20000;
     }
-    // Every quantile moves by 0.5; their mean size is that of the values but for the
-    // outer half per cents, 0.005 (3 - 1) at most.
+    // Every quantile moves by 0.5. Their mean magnitude is that of the values except for
+    // the outer half per cents, at most 0.005 (3 - 1).
     const DistributionFigures moved = compare(real, shifted);
     EXPECT_NEAR(moved.w1, 0.5 / mean, 0.5 / mean * 0.01);
     EXPECT_NEAR(moved.mean_ratio, (mean + 0.5) / mean, 1e-12);
@@ -151,7 +151,7 @@ TEST(StrandFigures, DistanceOfDistributionsIsThatOfTheirQuantiles) {
     EXPECT_NEAR(grown.mean_ratio, 1.2, 1e-12);
 }
 
-TEST(StrandFigures, AValueCountsByItsWeight) {
+TEST(StrandFigures, ValuesCountByTheirWeights) {
     std::vector<Weighted> real, same, doubled;
     for (int i = 0; i < 1000; ++i) {
         real.push_back({double(i), 1});
@@ -161,8 +161,8 @@ TEST(StrandFigures, AValueCountsByItsWeight) {
         doubled.push_back({double(i), 0});
         doubled.push_back({2.0 * i, 3});
     }
-    // Pairs of equal values against one of twice the weight: the quantiles differ by the
-    // half step between neighbours at most, 0.5 of a mean of 499.5.
+    // Pairs of equal values against one value of twice the weight: the quantiles differ
+    // by at most half the step between neighbours, 0.5 of a mean of 499.5.
     EXPECT_LT(compare(real, same).w1, 0.5 / 499.5);
     EXPECT_NEAR(compare(real, doubled).mean_ratio, 2, 1e-12);
 }
