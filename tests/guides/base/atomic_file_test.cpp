@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(AtomicFile, HoldsWhatWasWrittenAndLeavesNothingBeside) {
+TEST(AtomicFile, ContainsWhatWasWrittenAndLeavesNoOtherFile) {
     const TemporaryFolder folder;
     write_beside_and_rename(folder / "a.bin", std::string_view("old"));
     write_beside_and_rename(folder / "a.bin", std::string_view("a\0b\n", 4));
@@ -32,7 +32,7 @@ TEST(AtomicFile, OldFileStaysWhenTheWriterThrows) {
     EXPECT_EQ(folder.files(), 1u);
 }
 
-TEST(AtomicFile, FailedStreamIsAnErrorAndLeavesNothing) {
+TEST(AtomicFile, FailedStreamIsAnErrorAndLeavesNoFile) {
     const TemporaryFolder folder;
     const auto text = input_error([&] {
         write_beside_and_rename(folder / "a.txt", [](std::ostream& stream) {
@@ -69,7 +69,7 @@ TEST(AtomicFile, SymbolicLinkStaysALink) {
     EXPECT_EQ(read_bytes(folder / "real.txt"), "new");
 }
 
-TEST(PendingFile, TemporaryNameKeepsFolderAndExtensionAndIsItsOwn) {
+TEST(PendingFile, TemporaryNameIsUniqueAndKeepsFolderAndExtension) {
     const TemporaryFolder folder;
     PendingFile one(folder / "image.exr"), two(folder / "image.exr");
     EXPECT_EQ(one.temporary().extension(), ".exr");
@@ -78,7 +78,7 @@ TEST(PendingFile, TemporaryNameKeepsFolderAndExtensionAndIsItsOwn) {
     EXPECT_NE(one.temporary(), two.temporary());
 }
 
-TEST(PendingFile, AppearsOnCommitAlone) {
+TEST(PendingFile, AppearsOnlyOnCommit) {
     const TemporaryFolder folder;
     {
         PendingFile file(folder / "a.txt");

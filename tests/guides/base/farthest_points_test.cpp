@@ -17,7 +17,7 @@ std::vector<Vec3> random_points(int count, unsigned seed) {
     return points;
 }
 
-TEST(FarthestPoints, AreThoseOfTheQuadraticAlgorithm) {
+TEST(FarthestPoints, MatchTheQuadraticAlgorithm) {
     const auto points = random_points(500, 1);
     const auto chosen = farthest_points(points, 120, 7);
     std::vector<double> squared(points.size(), 1e300);
@@ -38,7 +38,7 @@ TEST(FarthestPoints, ASmallerChoiceBeginsALargerOne) {
     EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
 }
 
-TEST(FarthestPoints, TakesEachPointOnceEvenWhereSomeCoincide) {
+TEST(FarthestPoints, TakesEachPointOnceEvenIfSomeCoincide) {
     std::vector<Vec3> points(50, Vec3::Zero());
     points[3] = Vec3::UnitX();
     const auto chosen = farthest_points(points, 40, 0);

@@ -8,14 +8,14 @@
 namespace lancret {
 namespace {
 
-// The first value is the first output of SplitMix64 from seed 0, which its authors print;
-// the others were worked out with Python's integers.
+// The first value is the first output of SplitMix64 from seed 0, published by its
+// authors; the others were computed with Python's integers.
 static_assert(mix_bits(0x9e3779b97f4a7c15u) == 0xe220a8397b1dcdafu);
 static_assert(hash_bits(0, 0, 0) == 0x238275bc38fcbe91u);
 static_assert(hash_bits(1, 2, 3) == 0x6ae515c1c0ac7e37u);
 static_assert(hash_bits(~0ull, ~0ull, ~0ull) == 0x40aa389ba7cc36a4u);
 
-TEST(Hash, NumbersLieBelowOne) {
+TEST(Hash, NumbersAreBelowOne) {
     EXPECT_EQ(unit_double(~0ull), 1 - 0x1p-53);
     EXPECT_EQ(unit_float(~0ull), 1 - 0x1p-24f);
     EXPECT_EQ(unit_double(0), 0);

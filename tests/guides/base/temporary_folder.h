@@ -12,7 +12,7 @@
 
 namespace lancret {
 
-/// A new folder that goes away with its contents.
+/// A new folder, removed with its contents by the destructor.
 struct TemporaryFolder {
     std::filesystem::path path;
 
@@ -41,7 +41,7 @@ inline void write_bytes(const std::filesystem::path& path, std::string_view byte
         .write(bytes.data(), std::streamsize(bytes.size()));
 }
 
-/// The text of the InputError that `f` throws; empty where it throws none.
+/// The message of the InputError that `f` throws; empty if it throws none.
 template <class F>
 std::string input_error(F&& f) {
     try {

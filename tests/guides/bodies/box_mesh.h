@@ -7,8 +7,8 @@
 
 namespace lancret {
 
-/// The box |x_i| <= half_i, facing outwards: 8 vertices, 12 triangles, so that corners
-/// have from 3 to 6 triangles.
+/// The box |x_i| <= half_i, facing outwards: 8 vertices and 12 triangles, 3 to 6 at each
+/// corner.
 inline TriangleMesh box_mesh(const Vec3f& half) {
     TriangleMesh mesh;
     for (std::uint32_t i = 0; i < 8; ++i) {

@@ -21,7 +21,7 @@ RigidPose turned(double angle, const Vec3& axis, const Vec3& move) {
 }
 
 void expect_consistent(const SurfaceSample& sample, const Vec3& x, double expected) {
-    // Coordinates of up to 10 cm through a pose and back: some ulps of 10.
+    // Coordinates of up to 10 cm through a pose and back: a few ulps of 10.
     EXPECT_NEAR(sample.distance, expected, 2e-14);
     EXPECT_NEAR(sample.normal.norm(), 1, 1e-14);
     EXPECT_LT((sample.point + sample.distance * sample.normal - x).norm(), 2e-14);
@@ -76,7 +76,7 @@ TEST(Colliders, PosedBoxIsItsClosedForm) {
     }
 }
 
-TEST(Colliders, NearestIsTheSmallestOfAllAndTheFirstOfEqualOnes) {
+TEST(Colliders, NearestIsTheSmallestAndOfEqualOnesTheFirst) {
     Colliders colliders;
     const RigidPose there = turned(0, Vec3::UnitX(), {0.8, 0, 0});
     colliders.add(box_mesh({1, 1, 1}));
@@ -109,13 +109,13 @@ TEST(Colliders, NearestIsTheSmallestOfAllAndTheFirstOfEqualOnes) {
     EXPECT_EQ(seen[3], 0);  // hidden behind body 0
 }
 
-TEST(Colliders, DeepInsideIsFoundHoweverShortTheReach) {
+TEST(Colliders, DeepInsideIsFoundWithAnyReach) {
     Colliders colliders;
     colliders.add(box_mesh({2, 2, 2}));
     EXPECT_NEAR(colliders.nearest({0.5, 0, 0}, 0.01).distance, -1.5, 1e-15);
 }
 
-TEST(Colliders, BehindAMeshWithBordersIsInItDownToItsDepth) {
+TEST(Colliders, BehindAMeshWithBordersIsInsideDownToItsDepth) {
     const RigidPose pose = turned(0.5, {1, 1, 0}, {0, 0, 0});
     const auto at = [&](const Colliders& colliders, double height, double within) {
         return colliders.nearest(pose * Vec3(0.3, 0.4, height), within);
@@ -127,8 +127,8 @@ TEST(Colliders, BehindAMeshWithBordersIsInItDownToItsDepth) {
     EXPECT_EQ(at(thin, -0.2, 0.1).collider, -1);
     EXPECT_NEAR(at(thick, -0.4, 0.1).distance, -0.4, 1e-15);
     EXPECT_EQ(at(thick, -0.6, 0.1).collider, -1);
-    EXPECT_EQ(at(thick, 0.4, 0.1).collider, -1);  // in front there is none
-    // Deeper in the sheet than in a ball before it, whichever comes first.
+    EXPECT_EQ(at(thick, 0.4, 0.1).collider, -1);  // none in front
+    // Deeper in the sheet than in a ball in front of it, in either order.
     const Vec3 centre(0.3, 0.4, -0.4);
     for (const bool ball_first : {false, true}) {
         Colliders both;
@@ -162,13 +162,13 @@ TEST(Colliders, MoveMakesTheCurrentPoseThePrevious) {
                       third * Vec3(0, 0, 2), 1);
 }
 
-TEST(Colliders, DeformedMeshCarriesWhatSticksToATriangle) {
+TEST(Colliders, ADeformedMeshCarriesPointsThatStick) {
     Colliders colliders;
     TriangleMesh mesh = square_mesh(2, 2);
     colliders.add(mesh);
     const Vec3 x(0.6, 0.3, 0.25);
-    // Sheared in its plane, then turned and moved: heights stay, places in the plane
-    // shear.
+    // Sheared in its plane, then turned and moved: heights are kept, places in the plane
+    // are sheared.
     Mat3 shear = Mat3::Identity();
     shear(0, 1) = 0.5;
     const RigidPose turn = turned(0.5, {1, 0, 0}, {0, 0, 1});
@@ -180,19 +180,19 @@ TEST(Colliders, DeformedMeshCarriesWhatSticksToATriangle) {
     EXPECT_NEAR(before.distance, 0.25, 1e-15);
     colliders.move(0, moved);
     const Vec3 expected = turn * (shear * x);
-    // The moved vertices are floats of 2 cm and less: 1.2e-7 each, twice.
+    // The moved vertices are floats of at most 2 cm: 1.2e-7 each, twice.
     EXPECT_LT((colliders.carried(before, x) - expected).norm(), 5e-7);
     EXPECT_NEAR(colliders.nearest(expected, kFar).distance, 0.25, 5e-7);
     // Once more at the same place: at rest.
     colliders.move(0, moved);
     EXPECT_LT((colliders.carried(before, expected) - expected).norm(), 1e-14);
-    // Then as one piece: the deformation is over.
+    // Then rigidly: the deformation is over.
     const RigidPose pose = turned(1, {1, 2, 3}, {1, 1, 1});
     colliders.move(0, pose);
     EXPECT_LT((colliders.carried(before, expected) - pose * expected).norm(), 1e-14);
 }
 
-TEST(Colliders, CornerCarriesWhereATriangleHasNoArea) {
+TEST(Colliders, ACornerCarriesIfItsTriangleHasNoArea) {
     TriangleMesh mesh = square_mesh(1, 1);
     mesh.positions.push_back({0, 0, 0});
     mesh.triangles.push_back({0, 4, 3});
@@ -206,7 +206,7 @@ TEST(Colliders, CornerCarriesWhereATriangleHasNoArea) {
     EXPECT_EQ(colliders.carried(on, {0.25, 0.5, 1}), Vec3(0.25, 0.5, 1.5));
 }
 
-TEST(Colliders, AnswersTheSameFromManyThreads) {
+TEST(Colliders, IsTheSameFromManyThreads) {
     Colliders colliders;
     colliders.add(sphere_mesh(24), turned(1, {1, 1, 1}, {0.1, 0, 0}));
     colliders.add(Capsule{{0, -2, 0}, {0, -1, 0}, 0.4});
@@ -222,7 +222,7 @@ TEST(Colliders, AnswersTheSameFromManyThreads) {
     }
 }
 
-TEST(Colliders, RejectsWhatIsNoBody) {
+TEST(Colliders, RejectsInvalidBodies) {
     Colliders colliders;
     const double nan = std::nan("");
     const RigidPose bad{2 * Mat3::Identity(), Vec3::Zero()},
@@ -250,7 +250,7 @@ TEST(Colliders, RejectsWhatIsNoBody) {
                 1e-14);
 }
 
-TEST(Colliders, NoSurfaceMovesFurtherThanTheDrift) {
+TEST(Colliders, NoSurfaceMovesFartherThanTheDrift) {
     Colliders bodies;
     EXPECT_EQ(bodies.drift(), 0);
     const TriangleMesh box = box_mesh({1, 2, 3});
@@ -259,7 +259,7 @@ TEST(Colliders, NoSurfaceMovesFurtherThanTheDrift) {
     const auto turned = [](double angle, const Vec3& by) {
         return RigidPose{helix_step<double>(Vec3(0.3, 0.5, -0.2), angle).rotation, by};
     };
-    // The first body is what the others are seen from: alone, it never drifts.
+    // The drift is relative to the first body, which never drifts.
     bodies.move(0, turned(1, Vec3(5, 0, 0)));
     bodies.move(1, turned(1, Vec3(5, 0, 0)));
     EXPECT_LT(bodies.drift(), 1e-12);
@@ -278,7 +278,7 @@ TEST(Colliders, NoSurfaceMovesFurtherThanTheDrift) {
         }
     }
     EXPECT_GE(drift, furthest);
-    EXPECT_LT(drift, furthest + 2);  // a bound, not any number: corners reach so much on
+    EXPECT_LT(drift, furthest + 2);  // not arbitrarily large: corners add this much
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ Vec3 random_place(std::mt19937& random, double size) {
     return {coordinate(random), coordinate(random), coordinate(random)};
 }
 
-/// How often a mesh winds around a place: its solid angle over 4 pi, triangle by triangle
-/// (Van Oosterom and Strackee 1983). 1 inside, 0 outside.
+/// The winding number of a mesh about a place: the sum of the triangles' solid angles
+/// over 4 pi (Van Oosterom and Strackee 1983). 1 inside, 0 outside.
 double winding(const TriangleMesh& mesh, const Vec3& x) {
     double sum = 0;
     for (const auto& t : mesh.triangles) {
@@ -32,7 +32,7 @@ double winding(const TriangleMesh& mesh, const Vec3& x) {
     return sum / (4 * kPi);
 }
 
-TEST(SignedDistance, OfABoxIsItsClosedForm) {
+TEST(SignedDistance, BoxIsItsClosedForm) {
     const Vec3 half(1, 2, 0.5);
     const SignedDistance box(box_mesh(half.cast<float>()));
     EXPECT_TRUE(box.closed());
@@ -63,25 +63,25 @@ TEST(SignedDistance, NormalOnTheSurfaceIsThePseudoNormal) {
         {{0.4, 0.4, 1}, Vec3::UnitZ()},  // on a face's diagonal
         {{1, 1, 0.25}, Vec3(1, 1, 0).normalized()},
         {{-1, 0.5, 1}, Vec3(-1, 0, 1).normalized()},
-        // However a corner's faces are cut, each has a right angle there.
+        // However a corner's faces are triangulated, each has a right angle there.
         {{1, 1, 1}, Vec3(1, 1, 1).normalized()},
         {{-1, 1, -1}, Vec3(-1, 1, -1).normalized()},
     };
     for (const auto& [place, normal] : cases) {
         const MeshDistance found = box.at(place);
-        // The point is a sum of products of size 2: some ulps.
+        // The point is a sum of products of size 2: a few ulps.
         EXPECT_LT(std::abs(found.distance), 1e-15);
         EXPECT_LT((found.normal - normal).norm(), 1e-14) << place.transpose();
     }
 }
 
-TEST(SignedDistance, OfAFineSphereIsThatOfTheSphere) {
+TEST(SignedDistance, AFineSphereIsNearTheSphere) {
     const std::uint32_t cells = 48;
     const SignedDistance sphere(
         sphere_mesh(cells));  // with a seam, and needles at the poles
     EXPECT_TRUE(sphere.closed());
-    // A chord of angle pi / cells across both ways leaves the sphere by 1 - cos of half
-    // the diagonal, at most.
+    // A facet of angle pi / cells in both directions deviates from the sphere by at most
+    // 1 - cos of half its diagonal.
     const double half = kPi / cells / std::sqrt(2), sagitta = 1 - std::cos(half);
     std::mt19937 random(2);
     for (int i = 0; i < 3000; ++i) {
@@ -89,7 +89,8 @@ TEST(SignedDistance, OfAFineSphereIsThatOfTheSphere) {
         if (i < 50) x = {0, i * 0.04, 0};  // on the axis, where the poles are
         const double expected = x.norm() - 1;
         const MeshDistance found = sphere.at(x);
-        EXPECT_GE(found.distance, expected - 1e-6);  // vertices are on it but for float
+        EXPECT_GE(found.distance,
+                  expected - 1e-6);  // vertices are on it up to float rounding
         EXPECT_LE(found.distance, expected + sagitta + 1e-6);
     }
 }
@@ -101,7 +102,7 @@ TEST(SignedDistance, SignIsThatOfTheWindingNumberOnASpikyMesh) {
     std::vector<float> radii(mesh.positions.size());
     for (std::size_t i = 0; i < radii.size(); ++i) {
         radii[i] = radius(random);
-        // Vertices at one position go to one place.
+        // Vertices at equal positions stay at equal positions.
         for (std::size_t j = 0; j < i; ++j) {
             if (mesh.positions[j] == mesh.positions[i]) {
                 radii[i] = radii[j];
@@ -125,7 +126,7 @@ TEST(SignedDistance, SignIsThatOfTheWindingNumberOnASpikyMesh) {
     EXPECT_GT(inside, 300);
 }
 
-TEST(SignedDistance, OpenMeshHasABackButNoInsideRoundItsBorder) {
+TEST(SignedDistance, AnOpenMeshHasABackButNoInsideAroundItsBorder) {
     const SignedDistance sheet(square_mesh(1, 4));  // facing +Z
     EXPECT_FALSE(sheet.closed());
     EXPECT_NEAR(sheet.at({0.3, 0.4, 0.2}).distance, 0.2, 1e-15);
@@ -144,7 +145,7 @@ TEST(SignedDistance, FindsNothingBeyondItsReach) {
     EXPECT_EQ(box.at({0, 0, 0}).distance, -1);
 }
 
-TEST(SignedDistance, RejectsWhatIsNoMesh) {
+TEST(SignedDistance, RejectsInvalidMeshes) {
     EXPECT_THROW(SignedDistance(TriangleMesh{}), std::invalid_argument);
     TriangleMesh mesh = square_mesh(1, 1);
     mesh.triangles[0][2] = 4;

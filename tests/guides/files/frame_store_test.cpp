@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 constexpr int kFrames = 6;
 
-/// Three guides of two segments that bend as time goes.
+/// Three guides of two segments that bend over time.
 Guides guides_at(int k) {
     Guides out;
     out.segments = 2;
@@ -49,14 +49,14 @@ struct StoredFrames : testing::Test {
     FrameStore store(const std::string& job = "job", bool anew = false) const {
         return {path, {24, 41, "a.toml"}, job, guides_at(0), anew};
     }
-    /// Frames up to `count` (counted from 0) of a run, wherever it stands.
+    /// Continues a run up to `count` frames.
     static void run(FrameStore& store, int count) {
         while (store.frames_done() < count) {
             const int k = store.frames_done() + 1;
             store.add(guides_at(k), arrays_at(k));
         }
     }
-    /// The cache of a run that nothing interrupts.
+    /// The cache of an uninterrupted run.
     std::string whole_run(int count = kFrames) const {
         const TemporaryFolder other;
         FrameStore s(other / "cache.h5", {24, 41, "a.toml"}, "job", guides_at(0));
@@ -90,7 +90,7 @@ TEST_F(StoredFrames, FinishesToACacheOfAllFrames) {
     EXPECT_EQ(rest.segment_lengths, guides_at(0).segment_lengths);
 }
 
-TEST_F(StoredFrames, EachFrameIsACacheByItself) {
+TEST_F(StoredFrames, EachFrameIsACache) {
     FrameStore s = store();
     run(s, 2);
     const auto file = frames / "000042.h5";
@@ -105,9 +105,9 @@ TEST_F(StoredFrames, EachFrameIsACacheByItself) {
     EXPECT_EQ(restart.arrays, arrays_at(2));
 }
 
-TEST_F(StoredFrames, AContinuedRunIsTheSameBytes) {
+TEST_F(StoredFrames, AContinuedRunGivesTheSameBytes) {
     const std::string whole = whole_run();
-    // A second later, for a time stamp to show.
+    // A second later, so that a time stamp would differ.
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));
     for (const int part : {1, 3, 5}) {
         {
@@ -126,7 +126,7 @@ TEST_F(StoredFrames, AContinuedRunIsTheSameBytes) {
     EXPECT_EQ(read_bytes(path), whole);
 }
 
-TEST_F(StoredFrames, ALongerRunGoesOnFromAFinishedCache) {
+TEST_F(StoredFrames, ALongerRunContinuesFromAFinishedCache) {
     FrameStore first = store();
     run(first, 4);
     first.finish();
@@ -134,7 +134,7 @@ TEST_F(StoredFrames, ALongerRunGoesOnFromAFinishedCache) {
     FrameStore again = store();
     EXPECT_EQ(again.frames_done(), 4);
     EXPECT_EQ(again.last().arrays, arrays_at(4));
-    again.finish();  // with nothing new
+    again.finish();  // without new frames
     EXPECT_EQ(read_bytes(path), four);
     run(again, kFrames);
     again.finish();
@@ -142,11 +142,11 @@ TEST_F(StoredFrames, ALongerRunGoesOnFromAFinishedCache) {
     EXPECT_EQ(folder.files(), 1u);
 }
 
-TEST_F(StoredFrames, ADamagedFrameCountsAsNotDoneWithAllAfterIt) {
+TEST_F(StoredFrames, ADamagedFrameAndAllAfterItCountAsNotDone) {
     FrameStore first = store();
     run(first, kFrames);
     const std::string good = read_bytes(frames / "000043.h5");
-    // Cut, emptied, with one byte of the guides changed, and a frame of another number.
+    // Truncated, emptied, with one byte of the guides changed, and with another number.
     std::string bent = good;
     const double number = guides_at(3).curvatures[1].z();
     const std::size_t at =
@@ -171,7 +171,7 @@ TEST_F(StoredFrames, ADamagedFrameCountsAsNotDoneWithAllAfterIt) {
     EXPECT_EQ(read_bytes(path), whole_run());
 }
 
-TEST_F(StoredFrames, FramesOfAnotherRunAreRefusedUntilAnew) {
+TEST_F(StoredFrames, FramesOfAnotherRunAreRejectedWithoutRestart) {
     FrameStore first = store();
     run(first, 3);
     EXPECT_THAT(
@@ -203,7 +203,7 @@ TEST_F(StoredFrames, AKillWhileTheFolderIsRemovedLosesNothing) {
     const TemporaryFolder kept;
     std::filesystem::copy(frames, kept.path);
     first.finish();
-    // As if the kill had come after the first two files.
+    // As if killed after the first two files.
     std::filesystem::create_directory(frames);
     for (const char* name : {"000043.h5", "000046.h5"})
         std::filesystem::copy(kept / name, frames / name);
@@ -214,9 +214,9 @@ TEST_F(StoredFrames, AKillWhileTheFolderIsRemovedLosesNothing) {
     EXPECT_EQ(read_bytes(path), whole_run());
 }
 
-TEST_F(StoredFrames, ARunKilledAtAnyMomentComesToTheSameBytes) {
+TEST_F(StoredFrames, ARunKilledAtAnyMomentGivesTheSameBytes) {
     const std::string whole = whole_run();
-    // Killed after 0.2 ms, 0.4 ms, ...; a whole run takes some 10 ms.
+    // Killed after 0.2 ms, 0.4 ms, ...; a whole run takes about 10 ms.
     for (int i = 1; i <= 60; ++i) {
         const pid_t child = fork();
         ASSERT_GE(child, 0);
@@ -224,14 +224,14 @@ TEST_F(StoredFrames, ARunKilledAtAnyMomentComesToTheSameBytes) {
             FrameStore s = store();
             run(s, kFrames);
             s.finish();
-            std::filesystem::remove(path);  // for the next to begin anew
+            std::filesystem::remove(path);  // so that the next starts over
             _exit(0);
         }
         std::this_thread::sleep_for(std::chrono::microseconds(200 * i));
         kill(child, SIGKILL);
         int status = 0;
         ASSERT_EQ(waitpid(child, &status, 0), child);
-        if (i % 4 != 0) continue;  // up to four kills before it comes to its end
+        if (i % 4 != 0) continue;  // up to four kills before it ends
         FrameStore s = store();
         run(s, kFrames);
         s.finish();
@@ -253,7 +253,7 @@ TEST_F(StoredFrames, OtherFilesInTheFolderStay) {
     EXPECT_FALSE(std::filesystem::exists(frames / "000041.h5"));
 }
 
-TEST_F(StoredFrames, RefusesFramesThatWouldNotReadBack) {
+TEST_F(StoredFrames, RejectsFramesThatReadingWouldReject) {
     FrameStore s = store();
     const auto refused = [&](auto change) {
         Guides guides = guides_at(1);
@@ -272,7 +272,7 @@ TEST_F(StoredFrames, RefusesFramesThatWouldNotReadBack) {
     EXPECT_TRUE(std::filesystem::is_empty(frames));
 }
 
-TEST_F(StoredFrames, WhereItCannotWriteIsAnInputErrorAtOnce) {
+TEST_F(StoredFrames, AnUnwritableCacheIsAnInputErrorAtOnce) {
     const auto error_at = [&](const std::filesystem::path& to) {
         return input_error([&] { FrameStore(to, {}, "job", guides_at(0)); });
     };
@@ -282,7 +282,7 @@ TEST_F(StoredFrames, WhereItCannotWriteIsAnInputErrorAtOnce) {
     EXPECT_THAT(error_at(path), HasSubstr("cache.h5.frames: is not a folder"));
 }
 
-TEST_F(StoredFrames, NumbersBelowOneHaveNames) {
+TEST_F(StoredFrames, NegativeFrameNumbersHaveFileNames) {
     FrameStore s(path, {24, -1, ""}, "job", guides_at(0));
     run(s, 3);
     EXPECT_TRUE(std::filesystem::exists(frames / "-00001.h5"));

@@ -51,7 +51,7 @@ struct GuideCache : testing::Test {
         write_guide_cache(path, {30, 101, "grooms/löckchen.hair"}, frames);
     }
 
-    /// Opens the cache with HDF5 itself, to break it.
+    /// Opens the cache with HDF5 directly, to damage it.
     void edit(const std::function<void(hid_t)>& change) {
         const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
         change(file);
@@ -90,7 +90,7 @@ struct GuideCache : testing::Test {
     }
 };
 
-TEST_F(GuideCache, GivesBackTheSameBits) {
+TEST_F(GuideCache, ReturnsTheSameBits) {
     for (int f = 0; f < 3; ++f) {
         const Guides back = read_guide_cache(path, f);
         const Guides& frame = frames[std::size_t(f)];
@@ -103,7 +103,7 @@ TEST_F(GuideCache, GivesBackTheSameBits) {
     EXPECT_EQ(folder.files(), 1u);
 }
 
-TEST_F(GuideCache, TellsWhatItHolds) {
+TEST_F(GuideCache, InfoHasItsContents) {
     const GuideCacheInfo info = guide_cache_info(path);
     EXPECT_EQ(info.frames, 3);
     EXPECT_EQ(info.guides, 5u);
@@ -115,9 +115,9 @@ TEST_F(GuideCache, TellsWhatItHolds) {
     EXPECT_EQ(guide_cache_info(path).groom, "");
 }
 
-TEST_F(GuideCache, LiesInTheFileAsDocumented) {
-    // By HDF5 itself: row r, column c of guide 2 in frame 1, whose columns are n0, n1,
-    // n2.
+TEST_F(GuideCache, HasTheDocumentedLayout) {
+    // Read with HDF5 directly: row r, column c of guide 2 in frame 1, whose columns are
+    // n0, n1, n2.
     edit([&](hid_t file) {
         const hid_t data = H5Dopen2(file, "/root_frames", H5P_DEFAULT);
         double all[3][5][3][3];
@@ -199,14 +199,14 @@ TEST_F(GuideCache, RejectsWrongRankShapeAndType) {
     EXPECT_THAT(error(), HasSubstr("'/root_positions' does not hold 32- or"));
 }
 
-TEST_F(GuideCache, ShapesWithoutDataAskForNoMemory) {
+TEST_F(GuideCache, ShapesWithoutDataAllocateNothing) {
     replace("/curvatures", {3, 1u << 30, 1u << 20, 3});
     EXPECT_THAT(error(), HasSubstr("dataset '/curvatures' is shorter than its shape"));
     replace("/curvatures", {3, 5, 4, 3});
     EXPECT_THAT(error(), HasSubstr("dataset '/curvatures' is shorter than its shape"));
 }
 
-TEST_F(GuideCache, RejectsNumbersThatAreNone) {
+TEST_F(GuideCache, RejectsNumbersThatAreNotFinite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const char* name : {"/root_positions", "/root_frames", "/curvatures"}) {
         write_guide_cache(path, {}, frames);
@@ -221,7 +221,7 @@ TEST_F(GuideCache, RejectsNumbersThatAreNone) {
     EXPECT_THAT(error(), HasSubstr("'/segment_lengths' is 0 at guide 1, segment 2"));
 }
 
-TEST_F(GuideCache, RejectsFramesThatAreNoRotation) {
+TEST_F(GuideCache, RejectsFramesThatAreNotRotations) {
     const double was = frames[1].root_frames[2](0, 0);
     // Index of [frame 1, guide 2, row 0, column 0].
     set_value("/root_frames", (1 * 5 + 2) * 9, was + 1e-8);
@@ -229,7 +229,7 @@ TEST_F(GuideCache, RejectsFramesThatAreNoRotation) {
     set_value("/root_frames", (1 * 5 + 2) * 9, was + 0.01);
     EXPECT_THAT(error(),
                 HasSubstr("'/root_frames' is not a rotation at frame 1, guide 2"));
-    // A reflection is orthonormal, but no rotation.
+    // A reflection is orthonormal but not a rotation.
     frames[1].root_frames[2].col(0) *= -1;
     write_guide_cache(path, {}, frames);
     EXPECT_THAT(error(), HasSubstr("is not a rotation at frame 1, guide 2"));
@@ -243,7 +243,7 @@ TEST_F(GuideCache, EveryTruncationIsAnInputError) {
     }
 }
 
-TEST_F(GuideCache, DamagedBytesAreFoundOrDoNoHarm) {
+TEST_F(GuideCache, DamagedBytesAreFoundOrHarmless) {
     const std::string good = read_bytes(path);
     std::mt19937 random(4);
     int found = 0;
@@ -253,7 +253,7 @@ TEST_F(GuideCache, DamagedBytesAreFoundOrDoNoHarm) {
         bytes[at] = char(bytes[at] ^ char(1 + random() % 255));
         write_bytes(path, bytes);
         try {
-            // A byte between the structures, or of another frame, has no meaning here.
+            // A byte between the structures, or of another frame, does not matter here.
             EXPECT_EQ(read_guide_cache(path, 1).curvatures, frames[1].curvatures) << at;
         } catch (const InputError&) {
             ++found;
@@ -262,7 +262,7 @@ TEST_F(GuideCache, DamagedBytesAreFoundOrDoNoHarm) {
     EXPECT_GT(found, 200);
 }
 
-TEST_F(GuideCache, RestPoseIsTheFirstFrameWhereNoneIsKept) {
+TEST_F(GuideCache, RestPoseIsTheFirstFrameIfNoneIsStored) {
     EXPECT_FALSE(guide_cache_info(path).has_rest);
     EXPECT_EQ(read_rest_guides(path).curvatures, frames[0].curvatures);
     GuideCacheWriter writer(path, {}, 1, &frames[2]);
@@ -278,7 +278,7 @@ TEST_F(GuideCache, RestPoseIsTheFirstFrameWhereNoneIsKept) {
                 HasSubstr("no dataset '/rest/root_frames'"));
 }
 
-TEST_F(GuideCache, RestartIsRefusedWhereItIsNotWhatItShouldBe) {
+TEST_F(GuideCache, RejectsInvalidRestarts) {
     const auto restart_error = [&] { return input_error([&] { read_restart(path); }); };
     EXPECT_FALSE(guide_cache_info(path).has_restart);
     EXPECT_THAT(restart_error(), HasSubstr("guides.h5: no group '/restart'"));
@@ -308,7 +308,7 @@ TEST_F(GuideCache, RestartIsRefusedWhereItIsNotWhatItShouldBe) {
     EXPECT_THAT(restart_error(), HasSubstr("'/restart' is not a group"));
 }
 
-TEST_F(GuideCache, WriterWantsAsManyFramesAsItWasTold) {
+TEST_F(GuideCache, WriterRequiresTheDeclaredNumberOfFrames) {
     GuideCacheWriter writer(path, {}, 2);
     writer.add(frames[0]);
     EXPECT_THROW(writer.finish(), std::invalid_argument);
@@ -318,7 +318,7 @@ TEST_F(GuideCache, WriterWantsAsManyFramesAsItWasTold) {
     EXPECT_EQ(guide_cache_info(path).frames, 2);
 }
 
-TEST_F(GuideCache, FrameNumbersThatAnIntCannotHoldAreRefused) {
+TEST_F(GuideCache, RejectsFrameNumbersBeyondInt) {
     const int most = std::numeric_limits<int>::max();
     write_guide_cache(path, {24, most - 2, ""}, frames);
     EXPECT_EQ(error(), "");
@@ -332,7 +332,7 @@ TEST_F(GuideCache, WriterRejectsFramesThatDiffer) {
     EXPECT_THROW(write_guide_cache(path, {}, frames), std::invalid_argument);
     frames[1] = random_frames(1, 4, 4)[0];
     EXPECT_THROW(write_guide_cache(path, {}, frames), std::invalid_argument);
-    EXPECT_EQ(guide_cache_info(path).first_frame, 101);  // the file of before stays
+    EXPECT_EQ(guide_cache_info(path).first_frame, 101);  // the older file stays
 }
 
 TEST_F(GuideCache, MissingFolderIsAnInputError) {

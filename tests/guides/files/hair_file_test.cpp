@@ -29,7 +29,7 @@ void set(std::string& bytes, std::size_t at, T value) {
     std::memcpy(bytes.data() + at, &value, sizeof value);
 }
 
-/// A file put together by hand, not by the writer: strands of 2, 1 and 3 points.
+/// A file assembled by hand, without the writer: strands of 2, 1 and 3 points.
 struct Handmade {
     std::string header = std::string(128, '\0');
     std::string segments, arrays;
@@ -76,7 +76,7 @@ Strands random_strands(unsigned seed, bool attributes) {
         strands.colours.push_back({normal(random), normal(random), normal(random)});
         strands.uvs.push_back({normal(random), normal(random)});
     }
-    // Values that a careless copy through text or double comparison would lose.
+    // Values that a copy through text or a comparison of doubles would lose.
     strands.points[1] = {-0.0f, std::numeric_limits<float>::denorm_min(), 1e9f};
     strands.default_thickness = 0.008f;
     strands.default_transparency = 0.5f;
@@ -117,7 +117,7 @@ TEST_F(HairFile, ReadsTheDocumentedLayout) {
     for (int i = 0; i < 6; ++i) file.arrays += bytes_of(0.1f * float(i));
     for (int i = 0; i < 12; ++i) file.arrays += bytes_of(float(-i));
     const Strands strands = read(file.bytes());
-    // The strand of one point, point 2, is gone with its attributes.
+    // The strand of one point, point 2, is dropped with its attributes.
     EXPECT_THAT(strands.first, ElementsAre(0, 2, 5));
     EXPECT_EQ(strands.points[1], Vec3f(3, 4, 5));
     EXPECT_EQ(strands.points[2], Vec3f(9, 10, 11));
@@ -150,7 +150,7 @@ TEST_F(HairFile, RejectsLowerCaseMagic) {
     EXPECT_THAT(error_of(file.bytes()), HasSubstr("not a .hair file"));
 }
 
-TEST_F(HairFile, RejectsSegmentsTakenForPoints) {
+TEST_F(HairFile, RejectsSegmentsThatCountPoints) {
     // A file of the right size whose array counts points, as some writers do.
     Handmade file;
     file.segments.clear();
@@ -161,7 +161,7 @@ TEST_F(HairFile, RejectsSegmentsTakenForPoints) {
     EXPECT_THAT(error_of(file.bytes()), HasSubstr("the strands have 5 points"));
 }
 
-TEST_F(HairFile, NamesStrandAndPointOfAPointThatIsNoPlace) {
+TEST_F(HairFile, NamesStrandAndPointOfAnInvalidPosition) {
     const float bad[] = {std::numeric_limits<float>::quiet_NaN(),
                          -std::numeric_limits<float>::infinity(), 2e9f};
     for (const float value : bad) {
@@ -205,8 +205,9 @@ TEST_F(HairFile, RejectsAGroomWithoutHair) {
     EXPECT_THAT(error_of(""), HasSubstr("byte 0: the file ends within its header"));
 }
 
-TEST_F(HairFile, CountsThatWrapIn32BitsAreHeldAgainstTheFile) {
-    // 2^30 + 6 points of 12 bytes wrap to 72 bytes in 32 bits, just what is there.
+TEST_F(HairFile, CountsThatWrapIn32BitsAreValidatedAgainstTheFile) {
+    // 2^30 + 6 points of 12 bytes wrap to 72 bytes in 32 bits, exactly the size of the
+    // file.
     Handmade file;
     set<std::uint32_t>(file.header, 8, 0x40000006);
     EXPECT_THAT(error_of(file.bytes()), HasSubstr("need 12884902"));
@@ -240,7 +241,7 @@ TEST_F(HairFile, AnyFlippedBytesParseOrAreAnInputError) {
     int parsed = 0;
     for (int i = 0; i < 5000; ++i) {
         std::string bytes = good;
-        // Half of the flips go to the header and the segments, where they hurt most.
+        // Half of the flips are in the header and the segments, which matter most.
         for (unsigned flips = 1 + random() % 4; flips > 0; --flips) {
             bytes[random() % (i % 2 ? 168 : bytes.size())] = char(random());
         }
@@ -266,7 +267,7 @@ TEST_F(HairFile, MissingFilesAndFoldersAreInputErrors) {
                 HasSubstr("not a regular file"));
 }
 
-TEST_F(HairFile, WriterRejectsWhatTheFormatCannotHold) {
+TEST_F(HairFile, WriterRejectsWhatTheFormatCannotStore) {
     Strands strands;
     EXPECT_THROW(write_hair(folder / "a.hair", strands), std::invalid_argument);
     strands.first = {0, 1};

@@ -35,7 +35,7 @@ std::vector<std::vector<Point4f>> parse(const std::string& text) {
     return strands;
 }
 
-TEST(MitsubaFile, GivesBackTheSameFloats) {
+TEST(MitsubaFile, ReadsBackAsTheSameFloats) {
     std::mt19937 random(1);
     std::vector<Point4f> points(5 * 7);
     for (Point4f& p : points) {
@@ -65,7 +65,7 @@ TEST(MitsubaFile, PutsABlankLineBetweenStrands) {
     EXPECT_EQ(read_bytes(folder / "a.txt"), strand + "\n" + strand);
 }
 
-TEST(MitsubaFile, RejectsWhatIsNotWholeStrandsOfNumbers) {
+TEST(MitsubaFile, RejectsPartialStrandsAndInvalidNumbers) {
     const TemporaryFolder folder;
     std::vector<Point4f> points(8, Point4f{});
     EXPECT_THROW(write_mitsuba(folder / "a.txt", points, 3), std::invalid_argument);

@@ -63,7 +63,7 @@ TEST_F(ObjFile, MergesShapesAndReadsCornersOfEveryForm) {
     EXPECT_EQ(mesh.uvs[1][1], Vec2f::Zero());
 }
 
-TEST_F(ObjFile, NamesTheLineOfWhatIsWrong) {
+TEST_F(ObjFile, NamesTheLineOfAnError) {
     const std::pair<const char*, const char*> cases[] = {
         {"v nan 0 0\n", ":5: invalid vertex (nan, 0, 0)"},
         {"v 1e999 0 0\n", ":5: '1e999' in the vertex is not a number"},
@@ -88,7 +88,7 @@ TEST_F(ObjFile, NamesTheLineOfWhatIsWrong) {
     EXPECT_THAT(error_of(kSquare + face), HasSubstr(":5: a face has more than 1000"));
 }
 
-TEST_F(ObjFile, NothingToGrowOnIsAnError) {
+TEST_F(ObjFile, AMeshWithoutTrianglesIsAnError) {
     EXPECT_THAT(error_of(""), HasSubstr("a.obj: no triangles"));
     EXPECT_THAT(error_of(kSquare), HasSubstr("a.obj: no triangles"));
     EXPECT_THAT(input_error([&] { read_obj(folder / "none.obj"); }),

@@ -9,7 +9,7 @@
 namespace lancret {
 namespace {
 
-/// A helix of radius 1 and rise 0.5 a radian over two turns, with samples at n steps.
+/// A helix of radius 1 and rise 0.5 per radian over two turns, sampled at n steps.
 SampledCurve sampled_helix(int n) {
     const double h = 0.5, speed = std::sqrt(1 + h * h), turn = 4 * 3.14159265358979;
     SampledCurve out;
@@ -22,7 +22,7 @@ SampledCurve sampled_helix(int n) {
     return out;
 }
 
-TEST(SuperHelixReading, TangentsAtJointsAreTheStrandsOwn) {
+TEST(SampledGuides, TangentsAtJointsAreThoseOfTheStrand) {
     const SampledCurve target = sampled_helix(32);
     const FittedGuide guide = read_super_helix(target, Vec3::UnitX());
     HelixState<double> state{guide.root_frame, target.positions[0]};
@@ -33,10 +33,10 @@ TEST(SuperHelixReading, TangentsAtJointsAreTheStrandsOwn) {
     }
 }
 
-TEST(SuperHelixReading, AHelixIsReadExactly) {
-    // Its torsion is h / (1 + h^2) = 0.4. The steps of the twist leave the share
-    // (least / (slope + least))^4 of it, where least^2 / slope^2 = (0.02 / bend)^2 and
-    // the bend is 0.35 radian: 1e-10, over 14 cm.
+TEST(SampledGuides, AHelixIsExact) {
+    // Its torsion is h / (1 + h^2) = 0.4. After the steps of the twist a share
+    // (least / (slope + least))^4 of it remains, where least^2 / slope^2 = (0.02 /
+    // bend)^2 and the bend is 0.35 radian: 1e-10, over 14 cm.
     const FittedGuide guide = read_super_helix(sampled_helix(32), Vec3::UnitX());
     for (const Vec3& u : guide.curvatures) {
         EXPECT_NEAR(u.x(), 0.4, 1e-6);
@@ -45,8 +45,8 @@ TEST(SuperHelixReading, AHelixIsReadExactly) {
     EXPECT_LT(guide.report.max, 1e-6);
 }
 
-TEST(SuperHelixReading, WhatHardlyBendsDoesNotTwist) {
-    // A straight strand of 10 cm off by a file's round-off, here 1e-6 cm to and fro.
+TEST(SampledGuides, ANearlyStraightStrandDoesNotTwist) {
+    // A straight strand of 10 cm with a file's round-off, here an alternating 1e-6 cm.
     SampledCurve noisy;
     noisy.length = 10;
     for (int i = 0; i <= 64; ++i) {
@@ -62,7 +62,7 @@ TEST(SuperHelixReading, WhatHardlyBendsDoesNotTwist) {
     }
 }
 
-TEST(SuperHelixReading, AnArcIsReadExactly) {
+TEST(SampledGuides, AnArcIsExact) {
     SampledCurve arc;
     arc.length = 3;
     for (int i = 0; i <= 5; ++i) {
@@ -75,7 +75,7 @@ TEST(SuperHelixReading, AnArcIsReadExactly) {
     for (const Vec3& u : guide.curvatures) EXPECT_NEAR(u.norm(), 1, 1e-13);
 }
 
-TEST(SuperHelixReading, StrandsWithoutALengthAreLeftOut) {
+TEST(SampledGuides, StrandsWithoutALengthAreLeftOut) {
     Strands strands;
     strands.points = {Vec3f(0, 0, 0), Vec3f(0, 0, 4), Vec3f(1, 0, 0), Vec3f(1, 0, 0)};
     strands.first = {0, 2, 4};

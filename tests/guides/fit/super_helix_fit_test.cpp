@@ -15,7 +15,7 @@
 namespace lancret {
 namespace {
 
-/// A Super-Helix of segments of one length, sampled as a fit wants it.
+/// A Super-Helix of equal segments, sampled as a fit requires.
 struct Known {
     std::vector<double> lengths;
     std::vector<Vec3> curvatures;
@@ -49,7 +49,8 @@ Known random_known(int segments, double twist, unsigned seed) {
     return out;
 }
 
-/// The RMS distance of a fit from the samples, over the length: by its own positions.
+/// The RMS distance of a fit from the samples, relative to the length, computed from its
+/// positions.
 double rms_of(const FittedGuide& fit, const SampledCurve& target) {
     const std::size_t n = fit.curvatures.size(), samples = target.positions.size() - 1;
     const std::vector<double> lengths(n, target.length / double(n));
@@ -78,18 +79,18 @@ TEST(SuperHelixFit, RecoversAKnownStrandOfArcs) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         const SampledCurve target =
             random_known(8, 0, seed).sampled(fit_samples(settings));
-        // Without twist nothing holds the fit back from the strand itself.
+        // Without twist no cost keeps the fit from the strand itself.
         EXPECT_LT(rms_of(fit(target, settings), target), 1e-6) << seed;
     }
 }
 
-TEST(SuperHelixFit, ComesAsNearToATwistedStrandAsTheCostOfTwistLetsIt) {
+TEST(SuperHelixFit, ApproachesATwistedStrandUpToTheCostOfTwist) {
     const FitSettings settings;
     for (unsigned seed = 0; seed < 20; ++seed) {
         const Known known = random_known(8, 1, seed);
         const SampledCurve target = known.sampled(fit_samples(settings));
-        // The strand itself costs 1e-7 of its squared twist, so what costs less is no
-        // farther than the root of that.
+        // The strand itself costs 1e-7 of its squared twist, so a fit that costs less is
+        // at most the root of that away.
         double twist = 0;
         for (const Vec3& u : known.curvatures) twist += std::pow(1.5 * u.x(), 2);
         EXPECT_LT(rms_of(fit(target, settings), target), std::sqrt(1e-7 * twist) + 1e-6)
@@ -126,16 +127,16 @@ TEST(SuperHelixFit, ConvergesWithSegmentsOnASmoothCurve) {
             },
             200, fit_samples(settings));
         const double rms = rms_of(fit(target, settings), target);
-        // Curvature that is constant on segments is off by their length, tangents by its
-        // square, and so are places: a quarter for half the length, once segments are
-        // short enough; a half is asked.
+        // The error of piecewise constant curvature is of the order of the segments'
+        // length, that of tangents and places of its square: a quarter for half the
+        // length, once segments are short enough; half is required.
         EXPECT_LT(rms, 0.5 * before) << segments;
         before = rms;
     }
     EXPECT_LT(before, 1e-3);
 }
 
-TEST(SuperHelixFit, OfAStraightStrandIsStraight) {
+TEST(SuperHelixFit, AStraightStrandIsStraight) {
     const FitSettings settings;
     const Vec3 direction = Vec3(1, -2, 0.5).normalized();
     const SampledCurve target = sampled([&](double t) { return Vec3(7 * t * direction); },
@@ -143,15 +144,15 @@ TEST(SuperHelixFit, OfAStraightStrandIsStraight) {
     for (const Vec3& hint : {Vec3(Vec3::UnitX()), direction}) {
         const FittedGuide fitted = fit_super_helix(target, hint, settings);
         EXPECT_LT(rms_of(fitted, target), 1e-7);
-        // The spline's tangents are good to some 1e-12, and the angle between two that
-        // are all but the same to the root of round-off.
+        // The spline's tangents are accurate to about 1e-12, and the angle between two
+        // nearly equal ones to the root of round-off.
         EXPECT_LT((fitted.root_frame.col(0) - direction).norm(), 1e-7);
         for (const Vec3& u : fitted.curvatures) EXPECT_LT(u.norm(), 1e-6);
     }
 }
 
 TEST(SuperHelixFit, FollowsACurl) {
-    // Five turns of radius 0.5 cm in 16 segments: two radians each, a helix all along.
+    // Five turns of radius 0.5 cm in 16 segments: two radians each, a helix throughout.
     const FitSettings settings{.segments = 16};
     const SampledCurve target = sampled(
         [](double t) {

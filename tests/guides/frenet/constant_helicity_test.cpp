@@ -26,7 +26,7 @@ double largest_distance(const std::vector<HelixState<double>>& a,
 }
 
 TEST(ConstantHelicity, FramesAreThePapersClosedForm) {
-    // [TW99, Eq. 21-24], word for word.
+    // [TW99, Eq. 21-24], as printed.
     const HelixState<double> root = skew_root();
     const Vec3 t = root.frame.col(0), n = root.frame.col(1), b = root.frame.col(2);
     for (double h : {-3.0, -0.4, 0.0, 1e-5, 0.9, 20.0})
@@ -63,7 +63,7 @@ TEST(ConstantHelicity, FramesObeyTheFrenetEquations) {
     }
 }
 
-TEST(ConstantHelicity, TangentKeepsItsAngleToTheAxis) {
+TEST(ConstantHelicity, TangentHasAConstantAngleToTheAxis) {
     // Lancret's theorem [TW99, Eq. 25], on the closed strand and on the synthesized one.
     for (double h : {-2.0, 0.0, 0.3, 5.0}) {
         const ConstantHelicity strand = wavy(h);
@@ -81,7 +81,7 @@ TEST(ConstantHelicity, TangentKeepsItsAngleToTheAxis) {
 }
 
 TEST(ConstantHelicity, WithoutConstantHelicityTheAngleIsLost) {
-    // The converse of the theorem: torsion of its own takes the tangent off its cone.
+    // The converse of the theorem: independent torsion takes the tangent off its cone.
     FrenetProfile profile = constant_helicity_profile(wavy(0.5), 300);
     const Vec3 axis = lancret_axis(profile.root.frame, 0.5);
     for (std::size_t i = 150; i < 300; ++i) profile.rates[i].torsion *= -1;
@@ -90,8 +90,9 @@ TEST(ConstantHelicity, WithoutConstantHelicityTheAngleIsLost) {
 }
 
 TEST(ConstantHelicity, PositionsConvergeToThemselvesAndToACircle) {
-    // 100 times the positions change nothing but round-off, of 1000 sums: parts of 1/8 cm
-    // leave 4e-13 (1/8)^11 f^(10), and f^(10) is about (2 + kappa w)^10 < 5e6.
+    // 100 times as many positions change only the round-off of 1000 sums: the error of
+    // parts of 1/8 cm is 4e-13 (1/8)^11 f^(10), and f^(10) is about (2 + kappa w)^10 <
+    // 5e6.
     const auto coarse = constant_helicity_strand(wavy(0.7), 10),
                fine = constant_helicity_strand(wavy(0.7), 1000);
     for (int i = 0; i <= 10; ++i)
@@ -146,7 +147,7 @@ TEST(ConstantHelicity, LargeHelicityTwistsAboutAStraightTangent) {
     }
 }
 
-TEST(ConstantHelicity, NoIntervalsAreRefused) {
+TEST(ConstantHelicity, RejectsZeroIntervals) {
     EXPECT_THROW(constant_helicity_strand(wavy(1), 0), std::invalid_argument);
     EXPECT_THROW(constant_helicity_profile(wavy(1), 0), std::invalid_argument);
 }

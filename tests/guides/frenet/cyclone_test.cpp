@@ -14,12 +14,12 @@ HelixState<double> skew_root() {
 const std::vector<Cyclone> kCyclones{{0.5, 0.15, 0.3, 8},   // opens
                                      {2.0, -0.2, -0.6, 8},  // closes, left-handed
                                      {1.0, 0.0, 0.8, 8},    // a helix
-                                     {1.0, 1e-12, 0.8, 8},  // next to one
+                                     {1.0, 1e-12, 0.8, 8},  // nearly one
                                      {0.7, 0.2, 0.0, 8}};   // a plane logarithmic spiral
 
 TEST(Cyclone, TurnIsTheIntegralOfCurvature) {
     // dq/ds = 1 / (radius + growth s), by central differences: an error of d^2 / 6 q''' =
-    // d^2 / 3 growth^2 kappa^3, and q of up to 16 leaves round-off of 4e-15 / d.
+    // d^2 / 3 growth^2 kappa^3, and q of up to 16 has round-off of 4e-15 / d.
     const double d = 1e-4;
     for (const Cyclone& c : kCyclones) {
         EXPECT_EQ(cyclone_turn(c, 0), 0);
@@ -89,7 +89,7 @@ TEST(Cyclone, SynthesisConvergesAtOrderTwo) {
     }
 }
 
-TEST(Cyclone, RadiusThatVanishesIsRefused) {
+TEST(Cyclone, RejectsARadiusThatVanishes) {
     for (const Cyclone& c :
          {Cyclone{0, 1, 0, 1}, Cyclone{1, -1, 0, 1}, Cyclone{1, 0, 0, -1}}) {
         EXPECT_THROW(cyclone_state(c, {}, 0), std::invalid_argument);

@@ -30,7 +30,7 @@ TEST(FrenetAnalysis, PointValuesOfAHelixAreItsClosedForm) {
             inward.z() = 0;
             EXPECT_LT((p.state.frame.col(1) - inward).norm(), 1e-13);
         }
-        // And so the frames are those of a helix at any step: the round trip is exact.
+        // The frames are those of a helix at any step, so the round trip is exact.
         EXPECT_LT(round_trip_error(x, FrenetMethod::frames), 1e-12);
         EXPECT_LT(round_trip_error(x, FrenetMethod::point_values), 1e-12);
     }
@@ -51,7 +51,7 @@ TEST(FrenetAnalysis, InflectionKeepsTheBinormalAndChangesTheSign) {
         const auto points = frenet_points(x.points, Vec3::UnitZ());
         for (std::size_t i = 0; i < points.size(); ++i) {
             const double at = x.points[i].position.x();
-            // The strand bends to the right first, so that is where N is.
+            // The strand bends to the right first, so N points to the right.
             EXPECT_NEAR(points[i].state.frame(2, 2), -1, 1e-14);
             EXPECT_NEAR(points[i].rates.curvature,
                         -6 * at / std::pow(1 + 9 * std::pow(at, 4), 1.5), 1e-13);
@@ -71,7 +71,7 @@ TEST(FrenetAnalysis, ClothoidHasCurvatureLinearInArcLength) {
         const double u = ds * i - 2, angle = c * u * u / 2;
         const Vec3 t(std::cos(angle), std::sin(angle), 0), n(-t.y(), t.x(), 0);
         samples.push_back({at, t, c * u * n, c * n - c * c * u * u * t});
-        at += ds * t;  // near enough: positions serve only to carry the frame
+        at += ds * t;  // accurate enough: positions only carry the frame
     }
     const auto points = frenet_points(samples, Vec3::UnitZ());
     const std::vector<double> steps(40, ds);
@@ -93,7 +93,7 @@ TEST(FrenetAnalysis, StraightStrandTakesTheHint) {
 }
 
 TEST(FrenetAnalysis, RootWithoutSpeedTakesTheTangentAfterIt) {
-    // A B-spline whose outer control points stand three times starts and stops at rest.
+    // A B-spline with tripled outer control points starts and stops at rest.
     std::vector<Vec3> control(3, Vec3(0, 0, 0));
     control.insert(control.end(),
                    {{0, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 2, 0}, {2, 2, 0}});
@@ -115,7 +115,7 @@ double noise_turn(const Curve& curve, double position_error) {
 }
 
 TEST(FrenetAnalysis, RoundOffOfFloatsIsNoBend) {
-    // A line 100 cm from the origin in floats: half an ulp is 2^-18 = 3.8e-6 cm an axis.
+    // A line 100 cm from the origin in floats: half an ulp is 2^-18 = 3.8e-6 cm per axis.
     std::vector<Vec3f> points;
     for (int i = 0; i <= 30; ++i)
         points.push_back(
@@ -128,8 +128,8 @@ TEST(FrenetAnalysis, RoundOffOfFloatsIsNoBend) {
     EXPECT_GT(noise, 1);
     const FrenetProfile profile =
         analyze(curve, 60, Vec3::UnitY(), FrenetMethod::frames, turn);
-    // What is left is the turn of the tangents, below the noise, and no twist but its
-    // square.
+    // What remains is the turn of the tangents, below the noise, and twist of the order
+    // of its square.
     for (const FrenetRates& r : profile.rates) {
         EXPECT_LT(std::abs(r.curvature), turn / curve.length());
         EXPECT_LT(std::abs(r.torsion), turn * turn / curve.length());
@@ -144,7 +144,7 @@ std::vector<CurvePoint> arcs_with_a_stretch(int n) {
     for (int i = 0; i <= n; ++i) {
         const double middle = ds * (i + 0.5);
         const double kappa = middle < 1 || middle > 2 ? 1.0 : 0.0;
-        // At the joints of the arcs themselves the second derivative is that of the arc.
+        // At the joints of the arcs the second derivative is that of the arc.
         const bool bends = ds * i < 1 - 1e-9 || ds * i > 2 + 1e-9;
         out.push_back({state.position, state.frame.col(0),
                        (bends ? 1.0 : 0.0) * state.frame.col(1),
@@ -156,7 +156,7 @@ std::vector<CurvePoint> arcs_with_a_stretch(int n) {
     return out;
 }
 
-TEST(FrenetAnalysis, StretchBetweenTwoArcsTwistsAtItsMiddleAlone) {
+TEST(FrenetAnalysis, StretchBetweenTwoArcsTwistsOnlyAtItsMiddle) {
     const int n = 30;
     const std::vector<CurvePoint> samples = arcs_with_a_stretch(n);
     const auto points = frenet_points(samples, Vec3::UnitX());

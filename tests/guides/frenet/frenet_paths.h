@@ -1,5 +1,5 @@
 #pragma once
-// Closed paths for the tests of Frenet-Serret analysis, and their way there and back.
+// Paths in closed form for the tests of Frenet-Serret analysis, and their round trip.
 
 #include <cmath>
 #include <functional>
@@ -12,7 +12,7 @@ namespace lancret {
 
 using Path = std::function<CurvePoint(double)>;
 
-/// A helix of radius a and pitch 2 pi b; left-handed where b < 0. kappa = a / (a^2 +
+/// A helix of radius a and pitch 2 pi b; left-handed if b < 0. kappa = a / (a^2 +
 /// b^2), tau = b / (a^2 + b^2).
 inline CurvePoint helix(double v, double a, double b) {
     const double c = a * std::cos(v), s = a * std::sin(v);
@@ -30,7 +30,7 @@ inline CurvePoint cubic_inflection(double x) {
 }
 
 /// Samples at equal steps of the parameter, and the arc lengths between them by Gauss
-/// quadrature on 40 parts a step (error far below 1e-12).
+/// quadrature on 40 parts per step (error far below 1e-12).
 struct Sampled {
     std::vector<CurvePoint> points;
     std::vector<double> steps;

@@ -21,7 +21,7 @@ void expect_order_two(const std::function<double(int)>& error, const char* name,
     }
 }
 
-TEST(FrenetRoundTrip, TwistedCubicComesBackAtOrderTwo) {
+TEST(FrenetRoundTrip, TwistedCubicIsRecoveredAtOrderTwo) {
     for (const auto& [method, name] : {std::pair(FrenetMethod::frames, "frames"),
                                        std::pair(FrenetMethod::point_values, "points")})
         expect_order_two(
@@ -31,7 +31,7 @@ TEST(FrenetRoundTrip, TwistedCubicComesBackAtOrderTwo) {
             name);
 }
 
-TEST(FrenetRoundTrip, InflectionOfACubicComesBackAtOrderTwo) {
+TEST(FrenetRoundTrip, InflectionOfACubicIsRecoveredAtOrderTwo) {
     // On -1 .. 1 a sample falls on the inflection; on -1 .. 1.1 none does.
     expect_order_two(
         [](int n) {
@@ -56,10 +56,10 @@ Curve wave_spline(int n) {
     return *curve_through(points);
 }
 
-TEST(FrenetRoundTrip, SplineThroughPointsComesBackAtOrderTwo) {
-    // Points and intervals are refined together, as when a strand is cut finer. (On one
-    // spline the order wanders, 1.6 to 2.2, since its curvature has a kink at each knot;
-    // where the kinks fall in the intervals leaves the band of 0.2 here.)
+TEST(FrenetRoundTrip, SplineThroughPointsIsRecoveredAtOrderTwo) {
+    // Points and intervals are refined together. (On one spline the order varies from 1.6
+    // to 2.2, depending on where the kinks of its curvature at the knots fall in the
+    // intervals, and leaves the band of 0.2 used here.)
     expect_order_two(
         [&](int n) {
             const Curve curve = wave_spline(n);
@@ -73,11 +73,10 @@ TEST(FrenetRoundTrip, SplineThroughPointsComesBackAtOrderTwo) {
         "spline", 0.2);
 }
 
-TEST(FrenetRoundTrip, JaggedStrandsComeBackNearer) {
+TEST(FrenetRoundTrip, JaggedStrandsConverge) {
     // Points of a random walk: the spline's curvature passes near zero all the time, and
-    // N swings about there. Nothing is smooth, so no order is asserted, only that 16
-    // times the intervals leave less than a tenth of the error (order 1 would leave a
-    // 16th).
+    // N swings there. Nothing is smooth, so no order is asserted, only that 16 times the
+    // intervals reduce the error to less than a tenth (order 1 would give a 16th).
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
     for (int trial = 0; trial < 3; ++trial) {

@@ -14,7 +14,7 @@ HelixState<double> skew_root() {
     return {helix_step<double>(Vec3(0.3, -1.1, 0.7), 1).rotation, Vec3(1, -2, 3)};
 }
 
-/// A profile of n random helices; each turns by `turn` at most.
+/// A profile of n random helices; each turns by at most `turn`.
 FrenetProfile random_profile(int n, double turn, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -89,8 +89,8 @@ TEST(FrenetSerret, StraightProfileIsALine) {
 }
 
 TEST(FrenetSerret, AnalysisInvertsSynthesis) {
-    // The frames hold to a few units of round-off each, and so do the turns: b and e fix
-    // them up to a quarter turn, and beyond it a, c and f, over 1 - d > 1.
+    // The frames are accurate to a few units of round-off, and so are the turns: b and e
+    // determine them up to a quarter turn, and beyond it a, c and f, over 1 - d > 1.
     for (double turn : {1e-9, 1e-6, 1e-3, 1.0, 2.0, 3.0}) {
         const FrenetProfile profile = random_profile(300, turn, 5);
         const FrenetProfile back = profile_of_frames(synthesize(profile), profile.steps);
@@ -117,9 +117,9 @@ TEST(FrenetSerret, TurnsOverPiAliasUnlessExpected) {
     const FrenetRates seen = frenet_step(rotation, 2);
     EXPECT_NEAR(seen.curvature, 2 * alias, 1e-14);
     EXPECT_NEAR(seen.torsion, alias, 1e-14);
-    const FrenetRates told = frenet_step(rotation, 2, FrenetRates{1.6, 1.3});
-    EXPECT_NEAR(told.curvature, 2, 1e-14);
-    EXPECT_NEAR(told.torsion, 1, 1e-14);
+    const FrenetRates unwrapped = frenet_step(rotation, 2, FrenetRates{1.6, 1.3});
+    EXPECT_NEAR(unwrapped.curvature, 2, 1e-14);
+    EXPECT_NEAR(unwrapped.torsion, 1, 1e-14);
 }
 
 TEST(FrenetSerret, ExpectedRatesUnwrapAnyNumberOfTurns) {
@@ -131,13 +131,13 @@ TEST(FrenetSerret, ExpectedRatesUnwrapAnyNumberOfTurns) {
     }
     const FrenetProfile back =
         profile_of_frames(synthesize(profile), profile.steps, about);
-    // The axis is known to a few 1e-16 over the turn's distance from a multiple of 2 pi,
-    // for 300 turns spread over 40 radians 5e-3 or so at the least.
+    // The error of the axis is a few 1e-16 over the turn's distance from a multiple of 2
+    // pi, which for 300 turns spread over 40 radians is at least about 5e-3.
     EXPECT_LT(turn_difference(profile, back), 40 * 5e-16 / 5e-3);
     EXPECT_GT(largest_turn(back), 20);
 }
 
-TEST(FrenetSerret, SizesThatDoNotFitAreRefused) {
+TEST(FrenetSerret, RejectsMismatchedSizes) {
     const std::vector<HelixState<double>> states(3);
     const std::vector<double> steps(3, 1.0);
     EXPECT_THROW(profile_of_frames(states, steps), std::invalid_argument);

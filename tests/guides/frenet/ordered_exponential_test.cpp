@@ -39,7 +39,7 @@ TEST(OrderedExponential, IsTheProductOfExponentialsInOrder) {
         block.topRightCorner<3, 3>() = Mat3::Identity() * profile.steps[i];
         const Eigen::Matrix<double, 6, 6> e = block.exp();
         r += (e.topRightCorner<3, 3>() * u).eval();
-        u = (e.topLeftCorner<3, 3>() * u).eval();  // later ones stand to the left
+        u = (e.topLeftCorner<3, 3>() * u).eval();  // later factors on the left
         // 40 steps of a few units of round-off.
         EXPECT_LT((shape.rotations[i + 1] - u).norm(), 1e-14 * 40);
         EXPECT_LT((shape.integrals[i + 1] - r).norm(), 1e-14 * 40);
@@ -49,7 +49,7 @@ TEST(OrderedExponential, IsTheProductOfExponentialsInOrder) {
 TEST(OrderedExponential, AgreesWithItsSeriesToTheOrderKept) {
     // Q(s) = A + B s. The first three terms of the series [TW99, after Eq. 13] are
     // A s + B s^2/2, then A A s^2/2 + A B s^3/6 + B A s^3/3 + B B s^4/8, then A A A s^3/6
-    // and higher; what is left out starts at s^4. 4000 midpoint steps add 1e-9 s^3.
+    // and higher; the omitted terms start at s^4. 4000 midpoint steps add 1e-9 s^3.
     const auto rates_at = [](double s) {
         return FrenetRates{1.2 - 0.9 * s, 0.5 + 1.4 * s};
     };
@@ -68,7 +68,7 @@ TEST(OrderedExponential, AgreesWithItsSeriesToTheOrderKept) {
         // The next term changes the ratio by a factor 1 + O(s).
         EXPECT_NEAR(order, 4.0, s);
     }
-    // In the other order (A B and B A swapped) it does not agree beyond s^3.
+    // With A B and B A swapped it does not agree beyond s^3.
     const double s = 0.05;
     EXPECT_GT((a * b - b * a).norm() / 6 * s * s * s, 10 * left(s));
 }
@@ -88,7 +88,7 @@ TEST(OrderedExponential, PlacedOnARootIsTheSynthesizedStrand) {
         const auto strand = synthesize(profile), same = placed(shape, root);
         ASSERT_EQ(strand.size(), same.size());
         for (std::size_t i = 0; i < strand.size(); ++i) {
-            // 300 steps of round-off in frames, which 60 cm of strand multiply.
+            // Round-off of 300 steps in frames, multiplied by 60 cm of strand.
             EXPECT_LT((strand[i].frame - same[i].frame).norm(), 300 * 1e-15);
             EXPECT_LT((strand[i].position - same[i].position).norm(), 300 * 1e-15 * 60);
         }

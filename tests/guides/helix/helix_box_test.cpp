@@ -16,15 +16,15 @@ HelixState<double> random_state(std::mt19937& random) {
             Vec3(x, y, z)};
 }
 
-TEST(HelixBox, IsTheBoxOfItsPlaces) {
-    // Places every h along a curve miss an extreme by at most |r''| h^2 / 8.
+TEST(HelixBox, IsTheBoxOfDenseSamples) {
+    // Samples every h along a curve miss an extreme by at most |r''| h^2 / 8.
     std::mt19937 random(1);
     std::normal_distribution<double> normal(0, 2);
     for (int trial = 0; trial < 300; ++trial) {
         const HelixState<double> from = random_state(random);
         const double k0 = normal(random), k1 = normal(random), k2 = normal(random);
         const Vec3 u(k0, k1, k2);
-        const double ds = 0.1 + 0.02 * trial;  // up to some six turns
+        const double ds = 0.1 + 0.02 * trial;  // up to about six turns
         Eigen::AlignedBox3d box, sampled;
         extend(box, from, u, ds);
         constexpr int kPlaces = 4000;
@@ -42,7 +42,7 @@ TEST(HelixBox, IsTheBoxOfItsPlaces) {
 }
 
 TEST(HelixBox, OfACircleInAPlaneIsItsSquare) {
-    // A radius of 2 about (0, 2, 0), once round.
+    // A radius of 2 about (0, 2, 0), one full turn.
     Eigen::AlignedBox3d box;
     extend(box, {}, Vec3(0, 0, 0.5), 4 * kPi);
     EXPECT_LT((box.min() - Vec3(-2, 0, 0)).norm(), 1e-12);

@@ -8,8 +8,8 @@
 namespace lancret {
 namespace {
 
-/// Frame and position after a step by the exponential of the 4x4 matrix [hat(u) e0; 0 0]
-/// ds: (R, r)' = (R, r) times that matrix, so this is the same motion by another road.
+/// Frame and position after a step, computed independently by the exponential of the 4x4
+/// matrix [hat(u) e0; 0 0] ds: (R, r)' = (R, r) times that matrix.
 Eigen::Matrix4d motion(const Vec3& u, double ds) {
     Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
     m.topLeftCorner<3, 3>() = hat<double>(u) * ds;
@@ -25,15 +25,14 @@ TEST(Helix, StepIsTheMatrixExponential) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
     for (int i = 0; i < 2000; ++i) {
-        // Turns a step from 1e-9 to 10 radians: both sides of the switch from series to
+        // Turns per step from 1e-9 to 10 radians: both sides of the switch from series to
         // closed form.
         const double turn = std::pow(10.0, -9 + 10.0 * i / 2000);
         const Vec3 u =
             turn * Vec3(normal(random), normal(random), normal(random)).normalized();
         const HelixStep<double> step = helix_step<double>(u, 1.0);
         const Eigen::Matrix4d exact = motion(u, 1.0);
-        // Pade with squaring loses a digit for large turns; 1e-14 is asked of it up to
-        // pi.
+        // Pade with squaring loses a digit for large turns; 1e-14 is required up to pi.
         const double tolerance = turn < 3.2 ? 1e-14 : 5e-14;
         EXPECT_LT((step.rotation - exact.topLeftCorner<3, 3>()).cwiseAbs().maxCoeff(),
                   tolerance);
@@ -57,7 +56,7 @@ TEST(Helix, PureTwistIsStraightAndTurnsTheNormals) {
 }
 
 TEST(Helix, PlanarStepIsACircularArc) {
-    // k2 alone bends the tangent towards n1: a circle of radius 1/k2.
+    // k2 only bends the tangent towards n1: a circle of radius 1/k2.
     const double k = 0.5, s = 3;
     const HelixStep<double> step = helix_step<double>(Vec3(0, 0, k), s);
     EXPECT_NEAR(step.displacement.x(), std::sin(k * s) / k, 1e-15);
@@ -104,7 +103,7 @@ TEST(Helix, HundredThousandStepsStayOrthogonalAndKeepLength) {
     const int steps = 100000;
     const double ds = 0.05;
     HelixState<double> raw, clean;
-    long double length = 0;  // a sum of 10^5 terms in double loses 2e-12 by itself
+    long double length = 0;  // a sum of 10^5 terms in double alone loses 2e-12
     double worst_clean = 0, worst_raw = 0;
     for (int i = 0; i < steps; ++i) {
         const Vec3 u(std::sin(0.01 * i), 2 * std::cos(0.003 * i), 1.5);
@@ -113,8 +112,8 @@ TEST(Helix, HundredThousandStepsStayOrthogonalAndKeepLength) {
         const Mat3 start = clean.frame;
         advance<double>(clean, u, ds);
         orthonormalize<double>(clean.frame);
-        // The arc length of the step: the chord that was made, times arc over chord of
-        // this helix by the matrix exponential.
+        // The arc length of the step: its chord, times the ratio of arc to chord of this
+        // helix by the matrix exponential.
         length += (start.transpose() * (clean.position - before)).norm() /
                   (motion(u, ds).topRightCorner<3, 1>().norm() / ds);
         worst_raw = std::max(worst_raw, orthogonality_error(raw.frame));
@@ -163,7 +162,7 @@ TEST(Helix, SmallestRotationTurnsOneVectorToTheOther) {
         EXPECT_LT((r * a - b).norm(), 1e-12);
         EXPECT_LT(orthogonality_error(r), 1e-12);
         EXPECT_NEAR(r.determinant(), 1, 1e-12);
-        // Smallest: its angle is the angle between the two.
+        // It is smallest if its angle is that between the two vectors.
         EXPECT_NEAR((r.trace() - 1) / 2, a.dot(b), 1e-12);
     }
 }

@@ -39,7 +39,7 @@ TEST(SuperHelix, SamplesAreTheProductOfWholeSteps) {
     }
 }
 
-TEST(SuperHelix, SamplingInManyPlacesIsSamplingInEach) {
+TEST(SuperHelix, SamplingManyPlacesEqualsSamplingEach) {
     const Made made = random_helix(4, 2);
     std::vector<double> s;
     for (int i = -3; i < 60; ++i) s.push_back(0.15 * i);
@@ -49,7 +49,7 @@ TEST(SuperHelix, SamplingInManyPlacesIsSamplingInEach) {
            });
 }
 
-TEST(SuperHelix, CarriesTheEndHelicesOn) {
+TEST(SuperHelix, ExtendsTheEndHelices) {
     const Made made = random_helix(3, 3);
     HelixState<double> before;
     advance<double>(before, made.curvatures[0], -0.5);

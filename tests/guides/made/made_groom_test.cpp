@@ -28,7 +28,7 @@ double length_of(std::span<const Vec3f> strand) {
     return length;
 }
 
-/// The mean distance of points of equal number, roots laid together.
+/// The mean distance of corresponding points, with the roots moved together.
 double unlikeness(std::span<const Vec3f> a, std::span<const Vec3f> b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -56,7 +56,7 @@ TEST(MadeGroom, NoHairInsideTheHead) {
     }
 }
 
-TEST(MadeGroom, LengthsAreAsAsked) {
+TEST(MadeGroom, LengthsAreThoseOfTheSettings) {
     const MadeGroom groom = make_groom({});
     double shortest = 1e9, longest = 0;
     for (std::size_t s = 0; s < groom.strands.size(); ++s) {
@@ -65,7 +65,7 @@ TEST(MadeGroom, LengthsAreAsAsked) {
         const double length = length_of(strand);
         shortest = std::min(shortest, length);
         longest = std::max(longest, length);
-        // Points of up to 32 cm are rounded by 2^-20 cm an axis: 3.3e-6 cm a segment.
+        // Points of up to 32 cm are rounded by 2^-20 cm per axis: 3.3e-6 cm per segment.
         for (std::size_t i = 1; i < strand.size(); ++i) {
             EXPECT_NEAR((strand[i] - strand[i - 1]).cast<double>().norm(), length / 63,
                         2 * 3.3e-6);
@@ -94,7 +94,7 @@ TEST(MadeGroom, NeighboursLookAlike) {
     const Strands strands = make_groom(settings).strands;
     double of_neighbours = 0, of_any = 0;
     for (std::size_t a = 0; a < strands.size(); ++a) {
-        // Across the parting nothing is alike.
+        // Strands differ across the parting.
         std::size_t nearest = a;
         float least = std::numeric_limits<float>::max();
         for (std::size_t b = 0; b < strands.size(); ++b) {
@@ -138,7 +138,7 @@ TEST(MadeGroom, CurlRadiusMakesTheCurl) {
 TEST(MadeGroom, ScalpIsThePartOfTheHeadWithinTheHairline) {
     const MadeGroom groom = make_groom({});
     const Scalp head = make_scalp(groom.head), scalp = make_scalp(groom.scalp);
-    // Thomsen's formula for the area of an ellipsoid is good to 1.1 %; facets of 5
+    // Thomsen's formula for the area of an ellipsoid is accurate to 1.1 %; facets of 5
     // degrees lose 0.2 %.
     const double p = 1.6075, ab = std::pow(7.5 * 11, p), ac = std::pow(7.5 * 9.5, p),
                  bc = std::pow(11 * 9.5, p);

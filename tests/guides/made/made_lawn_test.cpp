@@ -17,7 +17,7 @@ MadeGroomSettings lawn(int strands) {
     return settings;
 }
 
-TEST(MadeLawn, BladesAreAsLongAsAskedAndInEvenSteps) {
+TEST(MadeLawn, BladesHaveTheLengthsOfTheSettingsAndEqualSteps) {
     const MadeGroom made = make_lawn(lawn(300));
     ASSERT_EQ(made.strands.size(), 300u);
     for (std::size_t i = 0; i < made.strands.size(); ++i) {
@@ -27,7 +27,7 @@ TEST(MadeLawn, BladesAreAsLongAsAskedAndInEvenSteps) {
             const double ds =
                 (made.strands.points[first + j] - made.strands.points[first + j - 1])
                     .norm();
-            // Coordinates of up to 45 cm are rounded to 2e-6 each, two of them a step.
+            // Coordinates of up to 45 cm are rounded to 2e-6 each, two per step.
             if (j > 1) {
                 EXPECT_NEAR(ds, step, 2e-5) << i;
             }
@@ -48,7 +48,7 @@ TEST(MadeLawn, BladesStandUpFromTheGroundAndStayAboveIt) {
         // The lean is at most 0.38 radian and a bow of 1.55 (0.5 / 11)^1.5, and the
         // ground no steeper than 0.55.
         EXPECT_GT((next - root).normalized().y(), std::cos(0.4 + 0.55)) << i;
-        // Bent by 1.93 radian at most, a tip comes down, but not to its root.
+        // Bent by at most 1.93 radian, a tip comes down, but not to its root.
         EXPECT_GT(made.strands.points[i * 12 + 11].y(), root.y() - 2) << i;
     }
 }

@@ -13,8 +13,8 @@
 namespace lancret {
 namespace {
 
-/// The distance to a triangle by geometry: the height above the plane where the foot is
-/// on the inner side of all three edges, else the nearest of the edges.
+/// The distance to a triangle by geometry: the height above the plane if the foot is on
+/// the inner side of all three edges, otherwise the distance to the nearest edge.
 double distance_to_triangle(const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = (b - a).cross(c - a);
     const Vec3 corners[] = {a, b, c};
@@ -98,7 +98,7 @@ TEST(ClosestPoint, AgreesWithBruteForceFarFromTheOrigin) {
     expect_closest(closest, scalp, Vec3(1e6, -1e6, 3));
 }
 
-TEST(ClosestPoint, PointOfTheMeshIsItsOwnClosest) {
+TEST(ClosestPoint, APointOfTheMeshIsClosestToItself) {
     const Scalp scalp = make_scalp(sphere_mesh(20));
     const ClosestPoint closest(scalp.mesh);
     for (std::uint32_t i = 0; i < scalp.mesh.triangles.size(); ++i) {
@@ -135,8 +135,8 @@ TEST(ClosestPoint, WithinADistanceFindsTheSameOrNothing) {
         const ClosestResult any = closest.closest(place);
         for (const double within : {0.0, 0.1, 0.5, any.distance}) {
             const ClosestResult near = closest.closest(place, within);
-            // The square of a distance's root is off by an ulp: just there it may go
-            // either way.
+            // The square of a root has an error of an ulp: exactly at the limit either
+            // result is right.
             if (std::abs(any.distance - within) <= 1e-15 * within) continue;
             EXPECT_EQ(std::isfinite(near.distance), any.distance < within);
             if (!(any.distance < within)) continue;
@@ -149,7 +149,7 @@ TEST(ClosestPoint, WithinADistanceFindsTheSameOrNothing) {
     EXPECT_GT(found, 500);
 }
 
-TEST(ClosestPoint, AnswersTheSameFromManyThreads) {
+TEST(ClosestPoint, IsTheSameFromManyThreads) {
     const ClosestPoint closest(sphere_mesh(32));
     std::mt19937 random(3);
     std::normal_distribution<double> normal;

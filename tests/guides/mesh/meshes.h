@@ -1,5 +1,5 @@
 #pragma once
-// Meshes whose areas, normals and UVs are known.
+// Meshes with known areas, normals and UVs.
 
 #include <cmath>
 
@@ -32,7 +32,7 @@ TriangleMesh grid_mesh(std::uint32_t nu, std::uint32_t nv, Position position) {
     return mesh;
 }
 
-/// The square [0, side]^2 at z = 0, facing +Z, of cells x cells cells.
+/// The square [0, side]^2 at z = 0, facing +Z, of cells x cells.
 inline TriangleMesh square_mesh(float side, std::uint32_t cells) {
     return grid_mesh(cells, cells,
                      [=](float u, float v) { return Vec3f(side * u, side * v, 0); });

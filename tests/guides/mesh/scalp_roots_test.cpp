@@ -34,8 +34,8 @@ std::vector<Vec2> places_in_square(std::uint32_t cells, std::size_t count,
     return places;
 }
 
-/// The star discrepancy from below: the largest of |share in [0, x) x [0, y) - x y| over
-/// a grid of corners.
+/// A lower limit of the star discrepancy: the largest of |share in [0, x) x [0, y) - x y|
+/// over a grid of corners.
 double discrepancy(const std::vector<Vec2>& places) {
     const int cells = 64;
     Eigen::MatrixXd counts = Eigen::MatrixXd::Zero(cells + 1, cells + 1);
@@ -85,7 +85,7 @@ TEST(ScalpRoots, SameForAnyNumberOfThreads) {
 TEST(ScalpRoots, SameBitsOnEveryMachine) {
     // Fixed bits: the start of the sequence on one square of two triangles.
     const auto roots = scalp_roots(make_scalp(square_mesh(1, 1)), 3, 0);
-    // Worked out with Python's integers from the recurrence in the header.
+    // Computed with Python's integers from the recurrence in the header.
     const MeshPoint expected[] = {{1, 0x1.93087e0000000p-2f, 0x1.bcf2720000000p-2f},
                                   {1, 0x1.300e480000000p-3f, 0x1.fef0080000000p-3f},
                                   {0, 0x1.9d05ca0000000p-2f, 0x1.20fecc0000000p-1f}};
@@ -114,8 +114,8 @@ TEST(ScalpRoots, SharesAreProportionalToArea) {
     }
     for (std::size_t g = 0; g < share.size(); ++g) {
         // Independent places would have a standard deviation of sqrt(a (1 - a) / n).
-        // These are more even; two of it leaves room for none of the 64 groups by chance
-        // alone (64 * 4.6 % = 3 would fail if they were independent).
+        // These are more even: no group may exceed two of it, although 64 * 4.6 % = 3
+        // would if the places were independent.
         EXPECT_NEAR(share[g], area[g], 2 * std::sqrt(area[g] * (1 - area[g]) / count))
             << g;
     }
@@ -155,7 +155,7 @@ TEST(ScalpRoots, FillsATriangleEvenly) {
     for (const int q : quarter) EXPECT_NEAR(double(q) / count, 0.25, 0.0022);
 }
 
-TEST(ScalpRoots, TrianglesWithoutAreaGetNone) {
+TEST(ScalpRoots, TrianglesWithoutAreaGetNoRoots) {
     const Scalp scalp = make_scalp(sphere_mesh(8));
     for (const MeshPoint& root : scalp_roots(scalp, 10000, 1)) {
         EXPECT_GT(scalp.areas[root.triangle], 0);

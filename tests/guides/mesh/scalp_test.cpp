@@ -23,7 +23,7 @@ TEST(Scalp, AreaOfASquareIsItsArea) {
 }
 
 TEST(Scalp, EvaluatesAffinelyInEachTriangle) {
-    // The square's UV is its position over its side, so the one follows from the other.
+    // The square's UV is its position divided by its side.
     const Scalp scalp = make_scalp(square_mesh(2, 4));
     std::mt19937 random(1);
     std::uniform_real_distribution<float> uniform(0, 0.5f);
@@ -46,8 +46,9 @@ TEST(Scalp, NormalsOfASphereAreRadial) {
         const MeshPoint point{std::uint32_t(random() % scalp.mesh.triangles.size()),
                               uniform(random), uniform(random)};
         const Vec3 p = scalp_position(scalp, point);
-        // Facets of 2 pi / 128 = 0.05 rad: a vertex's normal is off the radius by at most
-        // the turn over half a facet, its square times a constant where they are even.
+        // Facets of 2 pi / 128 = 0.05 rad: a vertex's normal deviates from the radius by
+        // at most the turn over half a facet; where facets are even, by a constant times
+        // its square.
         EXPECT_LT((scalp_normal(scalp, point) - p.normalized()).norm(), 0.025);
         EXPECT_NEAR(scalp_normal(scalp, point).norm(), 1, 1e-15);
     }
@@ -77,7 +78,7 @@ TEST(Scalp, TangentIsTheDerivativeOfPositionByU) {
         EXPECT_LT(rotation_error(frame), 1e-14);
         EXPECT_LT((frame.col(0) - scalp_normal(scalp, point)).norm(), 1e-14);
         if (scalp.areas[i] < 1e-3) continue;
-        // The step in the triangle's own (u, v) that moves the texture by (h, 0).
+        // The step in the triangle's (u, v) that moves the texture by (h, 0).
         const auto& t = scalp.mesh.uvs[i];
         Eigen::Matrix2d d;
         d << (t[1] - t[0]).cast<double>(), (t[2] - t[0]).cast<double>();
@@ -110,7 +111,7 @@ TEST(Scalp, HasAFrameWithoutUvsAndWithoutArea) {
     EXPECT_LT((surface_frame(scalp, {0, 0.1f, 0.1f}).col(1) - edge.normalized()).norm(),
               1e-15);
 
-    // A point, a needle, a needle along the normal of its neighbours, one alone in space;
+    // A point, a needle, a needle along the normal of its neighbours, one isolated;
     // with UVs that collapse as well.
     mesh.positions.insert(mesh.positions.end(),
                           {Vec3f(0, 0, 1), Vec3f(9, 9, 9), Vec3f(9, 9, 8)});
@@ -140,7 +141,7 @@ TEST(Scalp, NormalsThatCancelFallBackToTheTriangle) {
     EXPECT_EQ(scalp.normals[0], Vec3::UnitZ());
 }
 
-TEST(Scalp, RejectsIndicesThatPointNowhere) {
+TEST(Scalp, RejectsIndicesOutOfRange) {
     TriangleMesh mesh = square_mesh(1, 1);
     mesh.triangles[0][2] = 4;
     EXPECT_THROW(make_scalp(mesh), std::invalid_argument);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr InTime kWays[] = {InTime::frames, InTime::curvatures};
 
-/// `guides` with its curvatures and roots moved by draws of this size.
+/// `guides` with random changes of this size to curvatures and roots.
 Guides shaken(Guides guides, unsigned seed, double size) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal(0, size);
@@ -45,7 +45,7 @@ TEST(GuidesBetween, TheEndsHaveTheBitsOfTheFrames) {
     }
 }
 
-TEST(GuidesBetween, CurvaturesGoOnALineAndRootsTurnAtAnEvenRate) {
+TEST(GuidesBetween, CurvaturesAreLinearAndRootsTurnAtAConstantRate) {
     Guides a, b;
     test::add_guide(a, {{0.1, 0.2, 0.3}}, 5, Mat3::Identity(), {1, 2, 3});
     test::add_guide(b, {{0.5, -0.2, 0.3}}, 5, about_z(1.2), {3, 2, 1});
@@ -56,7 +56,7 @@ TEST(GuidesBetween, CurvaturesGoOnALineAndRootsTurnAtAnEvenRate) {
     EXPECT_LT((at.root_frames[0] - about_z(0.3)).norm(), 1e-15);
 }
 
-TEST(GuidesBetween, TheWayRoundIsTheShortOne) {
+TEST(GuidesBetween, TurnsTheShortWay) {
     Guides a, b;
     test::add_guide(a, {Vec3::Zero()}, 5, about_z(-0.1 * kPi));
     test::add_guide(b, {Vec3::Zero()}, 5, about_z(1.1 * kPi));
@@ -67,7 +67,7 @@ TEST(GuidesBetween, TheWayRoundIsTheShortOne) {
     }
 }
 
-TEST(GuidesBetween, ComesToTheFramesWithoutAJump) {
+TEST(GuidesBetween, IsContinuousAtTheFrames) {
     // Turns of up to 2.5 / cm times 3 cm: more than one circle in a segment.
     const Guides a = test::random_guides(40, 4, 5, 1.0), b = shaken(a, 6, 0.2),
                  before = shaken(a, 7, 0.2), after = shaken(b, 8, 0.2);
@@ -77,16 +77,16 @@ TEST(GuidesBetween, ComesToTheFramesWithoutAJump) {
             const Guides at = guides_between(keys, share, way),
                          &end = share < 0.5 ? a : b;
             for (std::size_t i = 0; i < at.curvatures.size(); ++i) {
-                // A rate of no more than some 10 / cm a frame over 1e-7 frames.
+                // A rate of at most about 10 / cm per frame over 1e-7 frames.
                 EXPECT_LT((at.curvatures[i] - end.curvatures[i]).norm(), 1e-5) << i;
             }
         }
     }
 }
 
-TEST(GuidesBetween, FramesOfAnEvenTurnTurnEvenly) {
-    // Arcs in a plane whose curvature grows evenly: every joint turns about z at an even
-    // rate, so that cubic and line are one and the curvature is that of the time.
+TEST(GuidesBetween, AConstantTurnStaysConstant) {
+    // Arcs in a plane whose curvature grows linearly: every joint turns about z at a
+    // constant rate, so that cubic and line agree and the curvature is that of the time.
     const auto arc = [](double k) {
         Guides out;
         test::add_guide(out, std::vector<Vec3>(6, Vec3(0, 0, k)), 12);
@@ -101,7 +101,7 @@ TEST(GuidesBetween, FramesOfAnEvenTurnTurnEvenly) {
 
 TEST(GuidesBetween, ATwistThatBuildsUpBeyondHalfACircleIsKept) {
     // 6 segments that each twist by 1 radian more: the last joint has turned by 6, and
-    // half way by 3, whichever way round 6 is shorter.
+    // half way by 3, although the other way round is shorter.
     Guides a, b;
     test::add_guide(a, std::vector<Vec3>(6, Vec3::Zero()), 6);
     test::add_guide(b, std::vector<Vec3>(6, Vec3(1, 0, 0)), 6);
@@ -112,8 +112,8 @@ TEST(GuidesBetween, ATwistThatBuildsUpBeyondHalfACircleIsKept) {
 }
 
 TEST(GuidesBetween, HairAtRestOnATurningHeadTurnsWithIt) {
-    // The guides of a head that turns by 1 radian a frame: carried, they are the rest
-    // turned by the time's own angle, about the pivot: no chord.
+    // The guides of a head that turns by 1 radian per frame: carried, they are the rest
+    // pose turned about the pivot by the angle of that time, not moved along a chord.
     const Guides rest = test::random_guides(6, 3, 11);
     const auto pose = [](double frame) {
         const Mat3 turn = about_z(frame);
@@ -134,7 +134,7 @@ TEST(GuidesBetween, HairAtRestOnATurningHeadTurnsWithIt) {
     for (const InTime way : kWays) {
         const Guides at = guides_between({&a, &b}, 0.3, way, &roots);
         for (std::size_t g = 0; g < rest.size(); ++g) {
-            // Round-off of some 10 cm, a few times.
+            // Round-off of about 10 cm, a few times.
             EXPECT_LT((at.root_positions[g] - expected.root_positions[g]).norm(), 1e-13);
             EXPECT_LT((at.root_frames[g] - expected.root_frames[g]).norm(), 1e-13);
             EXPECT_LT((state_at(super_helix(at, g), 5).position -
@@ -145,7 +145,7 @@ TEST(GuidesBetween, HairAtRestOnATurningHeadTurnsWithIt) {
     }
 }
 
-TEST(GuidesBetween, RefusesWhatDoesNotFit) {
+TEST(GuidesBetween, RejectsMismatchedArguments) {
     const Guides a = test::random_guides(5, 4, 1), fewer = test::random_guides(4, 4, 1),
                  longer = test::random_guides(5, 4, 2);
     EXPECT_THROW(guides_between({&a, &a}, -0.1), std::invalid_argument);

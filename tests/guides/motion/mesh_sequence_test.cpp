@@ -29,7 +29,7 @@ ObjSequence write_sequence(const TemporaryFolder& folder, int first, int last) {
     return {(folder / "head.%04d.obj").string(), first, last, 1, 24};
 }
 
-TEST(MeshSequence, FramePathsHaveTheirDigits) {
+TEST(MeshSequence, FramePathsHaveTheDigitsOfThePattern) {
     EXPECT_EQ(frame_path("a/head.%04d.obj", 7), "a/head.0007.obj");
     EXPECT_EQ(frame_path("head.####.obj", 12345), "head.12345.obj");
     EXPECT_EQ(frame_path("head.#.obj", 3), "head.3.obj");
@@ -39,7 +39,7 @@ TEST(MeshSequence, FramePathsHaveTheirDigits) {
     EXPECT_EQ(frame_path("100%/{}_%2d", 5), "100%/{}_05");
 }
 
-TEST(MeshSequence, RejectsPatternsWithoutExactlyOnePlace) {
+TEST(MeshSequence, RejectsPatternsWithoutExactlyOneField) {
     for (const char* pattern : {"head.obj", "", "%s.obj", "%", "%04", "##.%d", "#_#",
                                 "%99999999999999d", "%4d%4d", "##############"}) {
         EXPECT_THROW(frame_path(pattern, 1), InputError) << pattern;
@@ -60,9 +60,9 @@ TEST(MeshSequence, IsEachFileAtItsFrame) {
 }
 
 TEST(MeshSequence, ReproducesConstantAccelerationBetweenFrames) {
-    // Catmull-Rom is exact for a quadratic where all four files are there; heights in the
-    // files are exact in float but for products of thirds, 1e-7 of 15 cm, times the sizes
-    // of rates (at most 4 x 24) and bends (18 x 24^2).
+    // Catmull-Rom is exact for a quadratic if all four files exist. Heights in the files
+    // are exact in float except for products of thirds, 1e-7 of 15 cm, times the sizes of
+    // rates (at most 4 x 24) and bends (18 x 24^2).
     const TemporaryFolder folder;
     const MeshSequence sequence(write_sequence(folder, 0, 6), bent(0, 0));
     const auto rest = bent(0, 0);
@@ -103,7 +103,7 @@ TEST(MeshSequence, RatesMatchFiniteDifferences) {
     }
 }
 
-TEST(MeshSequence, IsHeldOutsideItsFrames) {
+TEST(MeshSequence, IsConstantOutsideItsFrames) {
     const TemporaryFolder folder;
     const MeshSequence sequence(write_sequence(folder, 2, 5), bent(0, 0));
     for (const double f : {-1e300, 1.9, 5.1, 1e300}) {
@@ -146,11 +146,11 @@ TEST(MeshSequence, RejectsOtherTopologyByName) {
     std::filesystem::remove(folder / "head.0005.obj");
     EXPECT_NE(input_error([&] { sequence.at(5); }).find("head.0005.obj"),
               std::string::npos);
-    // Frames that do not need the file are as they were.
+    // Frames that do not need the file are unchanged.
     EXPECT_EQ(vertex_motion(sequence.at(2), 15).position.z(), 1);
 }
 
-TEST(MeshSequence, RejectsWhatIsNoSequence) {
+TEST(MeshSequence, RejectsInvalidSequences) {
     EXPECT_THROW(MeshSequence({"a.obj", 0, 1, 1, 24}, bent(0, 0)), InputError);
     EXPECT_THROW(MeshSequence({"a.%d.obj", 2, 1, 1, 24}, bent(0, 0)), InputError);
     EXPECT_THROW(MeshSequence({"a.%d.obj", 0, 1, 0, 24}, bent(0, 0)),
@@ -160,7 +160,7 @@ TEST(MeshSequence, RejectsWhatIsNoSequence) {
     EXPECT_THROW(none.at(std::nan("")), std::invalid_argument);
 }
 
-TEST(MeshSequence, AnswersTheSameFromManyThreads) {
+TEST(MeshSequence, IsTheSameFromManyThreads) {
     const TemporaryFolder folder;
     const MeshSequence sequence(write_sequence(folder, 0, 20), bent(0, 0));
     std::vector<double> heights(200);

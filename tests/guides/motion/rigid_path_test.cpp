@@ -35,9 +35,9 @@ TEST(RigidPath, RatesMatchFiniteDifferences) {
     const RigidPath path = nod();
     for (const double frame : {-2.5, 0.1, 4.9, 5.1, 8.0, 12.3, 19.8}) {
         const RigidMotion at = rigid_motion(path, frame);
-        // Rates are near 0.4 rad or 1 cm a frame, so at h = 0.02 frame truncation is
-        // below 1e-11 and round-off near 1e-13 of the position, each frame; times 24 a
-        // second and again 24 for sizes near 100 cm: 1e-8.
+        // Rates are near 0.4 rad or 1 cm per frame, so at h = 0.02 frame truncation is
+        // below 1e-11 and round-off near 1e-13 of the position per frame; times 24 per
+        // second, and again 24, for sizes near 100 cm: 1e-8.
         const double h = 0.02;
         const auto derivative = [&](auto&& of) {
             return (kFps * finite_difference(of, frame, h)).eval();
@@ -72,7 +72,7 @@ TEST(RigidPath, IsContinuouslyDifferentiableAtKeysAndEnds) {
     }
 }
 
-TEST(RigidPath, IsHeldBeforeAndAfterItsKeys) {
+TEST(RigidPath, IsConstantBeforeAndAfterItsKeys) {
     const RigidPath path = nod();
     for (const double frame : {-1e6, -3.5, 20.5, 1e6}) {
         const RigidMotion at = rigid_motion(path, frame);
@@ -95,7 +95,7 @@ TEST(RigidPath, OneKeyStandsStill) {
     }
 }
 
-TEST(RigidPath, RejectsWhatIsNoPath) {
+TEST(RigidPath, RejectsInvalidPaths) {
     const double nan = std::nan("");
     const Vec3 zero = Vec3::Zero();
     EXPECT_THROW(make_rigid_path({}, zero, 24), std::invalid_argument);

@@ -22,7 +22,7 @@ TriangleMesh head() {
     return mesh;
 }
 
-/// The head, turned and swollen, a little more each frame.
+/// The head, turned and enlarged a little more in each frame.
 TriangleMesh head_at(int frame) {
     TriangleMesh mesh = head();
     const Eigen::AngleAxisf turn(0.1f * float(frame), Vec3f(1, 2, 0.5f).normalized());
@@ -64,7 +64,7 @@ RestRoot root_on(const TriangleMesh& mesh, const MeshPoint& at) {
     return root;
 }
 
-/// Some triangles with area, none at the poles.
+/// Some triangles with an area, none at the poles.
 std::vector<MeshPoint> places() {
     return {{40, 0.2f, 0.3f}, {77, 0.5f, 0.1f}, {150, 0, 1}};
 }
@@ -78,10 +78,10 @@ void expect_rates_of_pose(const ScalpMotion& motion, const RestRoot& root, doubl
                     frame, 0.02))
             .eval();
     };
-    // Turns stay below 0.1 rad a frame and arms below 20 cm, so a fifth derivative is
-    // some 2e-4 cm a frame^5 (the mesh's path is a cubic, it has none) and truncation at
-    // h = 0.02 1e-13 cm a frame. Round-off of 150 cm is 3 x 3e-14 / 0.02 cm a frame:
-    // 1e-10 cm/s, and at speeds and rates 24 times and more that.
+    // Turns are below 0.1 rad per frame and arms below 20 cm, so a fifth derivative is
+    // about 2e-4 cm per frame^5 (the mesh's path is a cubic and has none) and truncation
+    // at h = 0.02 is 1e-13 cm per frame. Round-off of 150 cm is 3 x 3e-14 / 0.02 cm per
+    // frame: 1e-10 cm/s, and for speeds and rates at least 24 times that.
     EXPECT_LT(
         (derivative([](const RootMotion& m) { return m.pose.position; }) - at.velocity)
             .norm(),
@@ -146,8 +146,8 @@ TEST(ScalpMotion, RootsStayOnThePosedScalp) {
                      .norm(),
                  (root_motion(d, root).pose.position - barycentric(mesh_corners, at))
                      .norm()});
-            // The mesh as rendered is these places rounded to float: half an ulp of 160
-            // cm in each coordinate.
+            // The rendered mesh has these places rounded to float: half an ulp of 160 cm
+            // in each coordinate.
             const TriangleMesh drawn = posed(r, rest);
             for (std::size_t c = 0; c < 3; ++c) {
                 EXPECT_LT((drawn.positions[t[c]].cast<double>() - rigid_corners[c])
@@ -167,8 +167,8 @@ TEST(ScalpMotion, RootsStayOnThePosedScalp) {
 }
 
 TEST(ScalpMotion, FrameTurnsWithItsTriangle) {
-    // In the triangle's own terms a root frame never changes: tested for its tangent
-    // against edges, of a rigidly turned mesh, where angles to both edges stay.
+    // Relative to its triangle a root frame never changes. Tested on a rigidly turned
+    // mesh by the angles of its tangent to both edges.
     const TemporaryFolder folder;
     const TriangleMesh rest = head();
     const Eigen::AngleAxisf turn(1.1f, Vec3f(1, 1, -1).normalized());
@@ -180,8 +180,8 @@ TEST(ScalpMotion, FrameTurnsWithItsTriangle) {
     for (const MeshPoint& at : places()) {
         const RestRoot root = root_on(rest, at);
         const RootMotion now = root_motion(scalp_at(motion, 0), root);
-        // Vertices rounded to float at 150 cm, 1.6e-5 in all, over edges of 1 cm and
-        // more.
+        // Vertices rounded to float at 150 cm, 1.6e-5 in total, over edges of at least 1
+        // cm.
         const Mat3 expected = turn.toRotationMatrix().cast<double>() * root.pose.frame;
         EXPECT_LT((now.pose.frame - expected).norm(), 1e-4);
     }
@@ -220,7 +220,7 @@ TEST(ScalpMotion, NamesATriangleWithoutArea) {
     EXPECT_NE(input_error([&] { root_motion(rest, root_on(head(), places()[0])); }), "");
 }
 
-TEST(ScalpMotion, RejectsRootsThatAreOnNoTriangle) {
+TEST(ScalpMotion, RejectsRootsOffTheMesh) {
     const TemporaryFolder folder;
     const ScalpTime now = scalp_at(deforming(folder), 1);
     EXPECT_THROW(root_motion(now, {}), std::invalid_argument);

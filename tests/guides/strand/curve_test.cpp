@@ -64,8 +64,8 @@ TEST(Curve, PassesThroughItsPointsWithTwoContinuousDerivatives) {
     }
 }
 
-TEST(Curve, FourPointsGiveTheirOneCubicAndThreeTheirParabola) {
-    // Not-a-knot on four points leaves no free joint: the third derivative is one.
+TEST(Curve, FourPointsGiveTheirCubicAndThreeTheirParabola) {
+    // Not-a-knot on four points leaves no free joint: there is one third derivative.
     const std::vector<Vec3> four{{0, 0, 0}, {1, 0.5, 0}, {1.5, 2, 0.3}, {3, 2, 1}};
     const Curve cubic = *curve_through(four);
     EXPECT_LT((cubic.pieces[0][3] - cubic.pieces[1][3]).norm(), 1e-14);
@@ -114,7 +114,7 @@ TEST(Curve, RepeatedPointsChangeNothing) {
     EXPECT_EQ(a.arc, b.arc);
 }
 
-TEST(Curve, EndsOnTheLastPointEvenWhereItNearlyRepeats) {
+TEST(Curve, EndsOnTheLastPointEvenIfItNearlyRepeats) {
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 1, 1e-9}};
     const Curve curve = *curve_through(points);
     EXPECT_EQ(curve.pieces.size(), 2u);
@@ -122,7 +122,7 @@ TEST(Curve, EndsOnTheLastPointEvenWhereItNearlyRepeats) {
               1e-15);
 }
 
-TEST(Curve, LengthsThatOverflowGiveNoCurve) {
+TEST(Curve, LengthsThatOverflowGiveNullopt) {
     EXPECT_FALSE(
         curve_through(std::vector<Vec3>{{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}}));
     EXPECT_FALSE(bspline_curve(
@@ -131,7 +131,7 @@ TEST(Curve, LengthsThatOverflowGiveNoCurve) {
         curve_through(std::vector<Vec3f>{{0, 0, 0}, {1e38f, 0, 0}, {0, 3e38f, 0}}));
 }
 
-TEST(Curve, PointsThatMakeNoCurveGiveNone) {
+TEST(Curve, PointsWithoutACurveGiveNullopt) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(curve_through(std::vector<Vec3>{}));
     EXPECT_FALSE(curve_through(std::vector<Vec3>{{1, 2, 3}}));
@@ -142,7 +142,7 @@ TEST(Curve, PointsThatMakeNoCurveGiveNone) {
 }
 
 TEST(Curve, HairpinHasFiniteSamplesInOrder) {
-    // Out and back along one line: the speed vanishes at the turn.
+    // Out and back along one line: the speed is zero at the turn.
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0, 0, 0}};
     const SampledCurve samples = resample(*curve_through(points), 40);
     for (int i = 0; i < 40; ++i) {
@@ -163,7 +163,7 @@ TEST(Curve, ArcLengthOfAParabolaIsItsClosedForm) {
     EXPECT_LT(evaluate(curve, 0).position.norm(), 1e-15);
     for (double x : {0.1, 0.5, 0.9, 1.0}) {
         const double closed = x * std::sqrt(1 + 4 * x * x) / 2 + std::asinh(2 * x) / 4;
-        // Halving ends at a change of 1e-10, which leaves an error of 1/63 of it.
+        // Halving ends at a change of 1e-10; the remaining error is 1/63 of it.
         EXPECT_NEAR(arc_length(curve, x), closed, 2e-12 * closed);
         EXPECT_NEAR(parameter_at(curve, closed), x, 3e-12);
     }
@@ -171,8 +171,8 @@ TEST(Curve, ArcLengthOfAParabolaIsItsClosedForm) {
 
 TEST(Curve, ArcLengthOfACircleConvergesAtOrderFour) {
     // With fewer points the next term of the error, from the ends, is as large as the
-    // first and the measured order wanders (3.9 and 3.0 at n = 32 and 64). Quadrature
-    // leaves 1e-11 of the length at most.
+    // first and the measured order wanders (3.9 and 3.0 at n = 32 and 64). The error
+    // of quadrature is at most 1e-11 of the length.
     double previous = 0;
     for (int n : {64, 128, 256}) {
         std::vector<Vec3> points;
@@ -211,13 +211,13 @@ TEST(Curve, BSplineStartsAtItsPlainEnd) {
             .norm(),
         1e-14);
     for (std::size_t k = 1; k < curve.pieces.size(); ++k) {
-        // A unit step before the knot the second derivative is c2, and d3 is constant.
+        // One unit before the knot the second derivative is c2, and d3 is constant.
         const Vec3 before = 2 * curve.pieces[k - 1][2] + 6 * curve.pieces[k - 1][3];
         EXPECT_LT((before - 2 * curve.pieces[k][2]).norm(), 1e-14);
     }
 }
 
-TEST(Curve, StrandsSayWhichCurveTheyAre) {
+TEST(Curve, StrandCurveFollowsTheBasis) {
     Strands strands;
     for (const Vec3& p : uneven_helix(6)) strands.points.push_back(p.cast<float>());
     strands.first = {0, 7};

@@ -85,7 +85,7 @@ TEST(RotationMinimizing, StraightStrandKeepsItsNormal) {
 }
 
 TEST(RotationMinimizing, PlanarStrandKeepsItsBinormalThroughAHairpin) {
-    // Tangents right about from one sample to the next, then a repeated position.
+    // Opposite tangents from one sample to the next, then a repeated position.
     const std::vector<Vec3> tangents{{1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {1, 0, 0}};
     const std::vector<Vec3> positions{{0, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}};
     for (const auto& frames :

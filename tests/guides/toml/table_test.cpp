@@ -19,7 +19,7 @@ std::string error_of(const std::function<void()>& action) {
 
 constexpr std::string_view kText = "count = 5\n[width]\nroot = 0.1\nwidht = 2\n";
 
-TEST(TomlTable, ReadsWhatIsThere) {
+TEST(TomlTable, ReadsValuesOfEveryType) {
     const TomlTable table =
         TomlTable::from_text("a = 2\nb = [1, 2.5, 3]\nc = \"x\"\n", "t");
     EXPECT_EQ(table.number("a"), 2);
@@ -96,13 +96,13 @@ TEST(TomlTable, NamesTheLineOfAnUnreadKeyInAListOfTables) {
               "g:6: unknown key 'raduis' in [[colliders]], did you mean 'radius'?");
 }
 
-TEST(TomlTable, NamesTheLineOfTheTableWhereAKeyOfAListIsMissing) {
+TEST(TomlTable, AMissingKeyInAListNamesTheLineOfItsTable) {
     const TomlTable t = TomlTable::from_text(kLists, "g");
     EXPECT_EQ(error_of([&] { t.tables("colliders")[1].fail("shape", "needs 'shape'"); }),
               "g:4: needs 'shape'");
 }
 
-TEST(TomlTable, RejectsListsOfOtherThings) {
+TEST(TomlTable, RejectsListsOfOtherTypes) {
     const TomlTable t =
         TomlTable::from_text("a = 1\nb = [{x = 1}, 2]\n[c]\nx = 1\n", "g");
     EXPECT_EQ(error_of([&] { t.tables("a"); }),
