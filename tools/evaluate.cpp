@@ -1,5 +1,6 @@
 // lancret evaluate: measures how well each blend predicts held-out strands of a groom.
 
+#include "render_test/image/write_image.h"
 #include "tools/subcommands.h"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render_test/image/draw.h"
 #include "render_test/scene/embree_scene.h"
 
 namespace lancret {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_test/image/draw.h"
+
 namespace lancret {
 
 ContactSheet make_contact_sheet(std::size_t pictures, int width, int height,

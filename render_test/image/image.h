@@ -1,10 +1,7 @@
 #pragma once
-// Images in memory and on disk. Only this folder uses OpenImageIO and OpenEXR.
+// Images in memory.
 
 #include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "guides/base/types.h"
@@ -36,24 +33,6 @@ struct Image {
     Image() = default;
     Image(int w, int h);
 };
-
-/// Writes an image in the format of its extension: beside the path, then renamed. Throws
-/// InputError that names the path.
-///   .exr  one part per layer (exr.h)
-///   .png  8 bits per channel, sRGB. With a `background` (linear) the image is composited
-///         over it; else it has straight alpha.
-void write_image(const std::filesystem::path& path, const Image& image,
-                 const std::optional<Vec3f>& background = std::nullopt);
-
-/// Draws `text` in an opaque linear colour. (x, y) is the start of its base line, pixels;
-/// `size` is the height of letters, pixels. Returns false, without drawing, if no font is
-/// found.
-bool draw_text(Image& image, int x, int y, const std::string& text, int size,
-               const Vec3f& colour);
-
-/// The colours of the image at a smaller size, each pixel the mean of those that it
-/// covers; without other layers.
-Image reduced(const Image& image, int width, int height);
 
 /// The sRGB code, 0..1, of a linear value; clamped.
 float srgb_of_linear(float linear);

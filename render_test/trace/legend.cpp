@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_test/image/draw.h"
+
 namespace lancret {
 
 namespace {

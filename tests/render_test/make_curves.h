@@ -49,7 +49,7 @@ inline Curves curves_through(const std::vector<std::vector<Vec3f>>& rows, float 
     return curves;
 }
 
-/// A sphere of radius 9 cm about the origin, in triangles that face outward.
+/// A sphere about the origin, in triangles that face outward; radius in cm.
 inline TriangleMesh sphere_mesh(int around = 96, int down = 48, float radius = 9) {
     TriangleMesh mesh;
     constexpr float kTurn = 2 * kPif;
@@ -82,14 +82,15 @@ inline Curves hairy_sphere(std::uint32_t strands, float length = 8, float radius
         const float r = std::sqrt(1 - y * y), a = golden * float(i);
         const Vec3f normal(r * std::cos(a), y, r * std::sin(a));
         const float phase = unit_float(std::uint32_t(mix(i, 1))) * 6.2831853f;
-        const float own = length * (0.8f + 0.2f * unit_float(std::uint32_t(mix(i, 2))));
+        const float strand_length =
+            length * (0.8f + 0.2f * unit_float(std::uint32_t(mix(i, 2))));
         const Vec3f side = normal.unitOrthogonal(), other = normal.cross(side);
         for (int j = 0; j <= 16; ++j) {
             const float s = float(j) / 16, angle = phase + 14 * s;
-            Vec3f p = normal * (8.99f + own * (s - 0.45f * s * s));
-            p.y() -= 0.55f * own * s * s;
+            Vec3f p = normal * (8.99f + strand_length * (s - 0.45f * s * s));
+            p.y() -= 0.55f * strand_length * s * s;
             p += curl * s * (side * std::cos(angle) + other * std::sin(angle));
-            // Kept out of the sphere.
+            // Keep points out of the sphere.
             if (p.norm() < 9.0f + 0.4f * s) p *= (9.0f + 0.4f * s) / p.norm();
             rows[i].push_back(p);
         }

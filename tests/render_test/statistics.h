@@ -1,5 +1,5 @@
 #pragma once
-// Statistics that tests assert, with their error rates.
+// Statistics asserted by tests, with their error rates.
 
 #include <algorithm>
 #include <cmath>
@@ -23,20 +23,19 @@ struct Mean {
     }
 };
 
-/// A normal deviate passes this many standard errors once in 1.5e5 trials.
+/// A normal deviate exceeds this many standard errors once in 1.5e5 trials.
 inline constexpr double kSigmas = 4.5;
 
-/// Chance of a chi-square statistic this large or larger, by Wilson and Hilferty's cube
-/// root (better than 10 % of the chance itself at 1e-4 for 30 degrees of freedom and
-/// more).
+/// The p-value of a chi-square statistic, by Wilson and Hilferty's cube root (relative
+/// error below 10 % at 1e-4 for 30 degrees of freedom and more).
 inline double chi_square_chance(double statistic, double freedom) {
     const double k = 2 / (9 * freedom);
     const double z = (std::cbrt(statistic / freedom) - (1 - k)) / std::sqrt(k);
     return 0.5 * std::erfc(z / std::sqrt(2.0));
 }
 
-/// Pearson's test of counts against what is expected of them. Bins of which fewer than
-/// five are expected are joined.
+/// The p-value of Pearson's test of counts against expected counts. Bins with fewer than
+/// five expected are merged.
 inline double pearson_chance(const std::vector<double>& counts,
                              const std::vector<double>& expected) {
     double statistic = 0, joined_count = 0, joined_expected = 0;
@@ -76,8 +75,8 @@ class SphereBins {
                std::clamp(y, 0, azimuths_ - 1)] += 1;
     }
 
-    /// The integral of a density over each bin, by `fine` x `fine` midpoints that are
-    /// even in the angle: densities are smooth in it up to the poles.
+    /// The integral of a density over each bin, by `fine` x `fine` midpoints uniform in
+    /// the angle, in which densities are smooth up to the poles.
     std::vector<double> integrals(const std::function<double(const Vec3f&)>& density,
                                   int fine) const {
         std::vector<double> result(counts.size(), 0);

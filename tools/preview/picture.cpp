@@ -3,6 +3,7 @@
 #include "guides/base/stopwatch.h"
 #include "render_test/image/deep_exr.h"
 #include "render_test/image/denoise.h"
+#include "render_test/image/write_image.h"
 #include "render_test/trace/legend.h"
 #include "tools/progress.h"
 

@@ -10,6 +10,7 @@
 #include "guides/base/errors.h"
 #include "guides/base/stopwatch.h"
 #include "render_test/image/contact_sheet.h"
+#include "render_test/image/write_image.h"
 #include "tools/preview/check_views.h"
 #include "tools/preview/groom.h"
 #include "tools/preview/lod.h"

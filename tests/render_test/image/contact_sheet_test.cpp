@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "render_test/image/draw.h"
+
 namespace lancret {
 namespace {
 

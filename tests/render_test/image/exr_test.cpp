@@ -15,6 +15,7 @@
 
 #include "guides/base/errors.h"
 #include "render_test/image/cryptomatte.h"
+#include "render_test/image/write_image.h"
 
 namespace lancret {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "guides/base/errors.h"
 #include "render_test/image/read_image.h"
+#include "render_test/image/write_image.h"
 
 namespace lancret {
 namespace {

@@ -87,11 +87,11 @@ TEST(HairLook, MinimumRoughnessAffectsSmootherStrandsAndKeepsTheirAbsorption) {
     const HairModel floor(round);
     int widened = 0;
     for (std::uint32_t strand = 0; strand < 1000; ++strand) {
-        const HairModel &own = look.model(strand), &model = wide.model(strand);
+        const HairModel &plain = look.model(strand), &model = wide.model(strand);
         // v and s grow with the roughness.
-        EXPECT_EQ(model.variance[0], std::max(own.variance[0], floor.variance[0]));
-        EXPECT_EQ(model.s, std::max(own.s, floor.s));
-        widened += model.s > own.s;
+        EXPECT_EQ(model.variance[0], std::max(plain.variance[0], floor.variance[0]));
+        EXPECT_EQ(model.s, std::max(plain.s, floor.s));
+        widened += model.s > plain.s;
         // Also for the root colour, although the absorption of a colour depends on
         // beta_n.
         EXPECT_EQ(wide.sigma_a(strand, 0.3f), look.sigma_a(strand, 0.3f));

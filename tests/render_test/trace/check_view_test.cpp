@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render_test/image/colour_scale.h"
+#include "render_test/image/draw.h"
 #include "render_test/trace/legend.h"
 #include "render_test/trace/render.h"
 #include "tests/render_test/make_curves.h"

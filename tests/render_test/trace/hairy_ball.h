@@ -1,5 +1,5 @@
 #pragma once
-// A hairy ball with a camera and lights: what tests of whole pictures render.
+// A hairy ball with a camera and lights, for tests of whole pictures.
 
 #include "render_test/trace/render.h"
 #include "tests/render_test/make_curves.h"
