@@ -1,23 +1,23 @@
-# A thin wrapper over CMake's presets. PRESET=dev|release|ci chooses one; JOBS how many compile at
-# once.
+# A thin wrapper over CMake's presets. PRESET=release|ci|sanitize|tsan chooses one; JOBS is the number of
+# compilers that run at once.
 PRESET ?= release
 JOBS ?= $(shell nproc)
 BUILD := build/$(PRESET)
 LANCRET := $(BUILD)/tools/lancret
 SOURCES := $(shell git ls-files '*.h' '*.cpp' 2>/dev/null)
 
-.PHONY: all preview evaluate gallery blender-addon test test-slow bench format format-check lint deps clean
+.PHONY: all preview evaluate gallery blender-addon test test-slow sanitize sanitize-readers bench format format-check lint deps clean
 
 all: deps
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET)
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
 
-# Installs what is missing; says and does nothing where all is there.
+# Installs missing Debian packages; does nothing if there are none.
 deps:
 	@scripts/install-deps
 
-# The main job on a groom that Lancret makes by itself: its guides simulated, pictures of a turn of
-# the head and a proof in out/.
+# The main job on a groom that Lancret makes by itself: simulated guides, pictures of a turn of the head and a
+# report of the check in out/.
 preview: deps
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret
@@ -26,10 +26,10 @@ preview: deps
 	$(LANCRET) preview examples/made_groom.toml -o out/preview.png --stats out/preview.json
 	$(LANCRET) preview out/cache.h5 --frames 9-13 --size 320x320 --samples 16 -o out/turn.####.png
 	$(LANCRET) check out/cache.h5 --frames 9-13 --json out/check.json
-	@echo "The pictures are out/preview.png and out/turn.*.png, the proof is out/check.json."
+	@echo "The pictures are out/preview.png and out/turn.*.png, the report of the check is out/check.json."
 
-# Every blend on made grooms, straight to tightly curled: tables, figures and pictures in
-# out/evaluate/. More grooms: make evaluate GROOMS="groom.hair other.toml".
+# Every blend on made grooms, straight to tightly curled: tables, figures and pictures in out/evaluate/.
+# Other grooms: make evaluate GROOMS="groom.hair other.toml".
 GROOMS ?= $(wildcard examples/evaluate/*.toml)
 evaluate: deps
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
@@ -39,8 +39,8 @@ evaluate: deps
 	  $(LANCRET) evaluate $$groom --json out/evaluate/$$name.json --image out/evaluate/$$name.png --size 240x300; \
 	done
 
-# What hair can look like: straight, wavy and tightly curled; brown, blond and black; fur, grass, a
-# lens, fewer and wider strands, a turn of the head; in out/gallery/.
+# Pictures of many kinds of hair in out/gallery/: straight, wavy and tightly curled; brown, blond and black; fur,
+# grass, depth of field, levels of detail, motion blur.
 gallery: deps
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret
@@ -54,7 +54,7 @@ gallery: deps
 	$(LANCRET) simulate examples/made_groom.toml --frames 1-12 -o out/gallery/turn.h5 --restart
 	$(LANCRET) preview out/gallery/turn.h5 --frame 11 --shutter 0,0.8 --motion-samples 5 --size 480x480 -o out/gallery/turn.png
 
-# The Blender add-on with the Python package and the library, for Blender to install: docs/blender.md.
+# The Blender add-on as a zip that Blender installs, with the Python package and the library: docs/blender.md.
 blender-addon: deps
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret_plugin
@@ -88,8 +88,27 @@ format:
 format-check:
 	clang-format --dry-run --Werror $(SOURCES)
 
+# clang-tidy on the sources that differ from LINT_BASE (default: the last commit that was pushed, else the one before
+# this); everything: make lint LINT_BASE=
+LINT_BASE ?= $(shell git rev-parse -q --verify origin/main || git rev-parse -q --verify HEAD~1)
+LINT_FILES = $(if $(LINT_BASE),$(shell git diff --name-only --diff-filter=d $(LINT_BASE) -- '*.cpp'),$(filter %.cpp,$(SOURCES)))
 lint: all
-	clang-tidy -p $(BUILD) --quiet $(filter %.cpp,$(SOURCES))
+	@[ -z "$(LINT_FILES)" ] || clang-tidy -p $(BUILD) --quiet $(LINT_FILES)
+
+# All fast suites under AddressSanitizer and UndefinedBehaviorSanitizer; then those that use threads most under
+# ThreadSanitizer. sanitize-readers is the part that CI runs: readers of files and the C interface.
+sanitize: deps
+	cmake --preset sanitize
+	cmake --build --preset sanitize --parallel $(JOBS)
+	ctest --preset sanitize --parallel $(JOBS) --label-exclude slow
+	cmake --preset tsan
+	cmake --build --preset tsan --parallel $(JOBS) --target test_abi test_sim test_render_test
+	scripts/run-suites build/tsan abi sim render_test
+
+sanitize-readers: deps
+	cmake --preset sanitize
+	cmake --build --preset sanitize --parallel $(JOBS) --target test_guides test_abi
+	scripts/run-suites build/sanitize guides abi
 
 clean:
 	rm -rf build out
