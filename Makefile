@@ -19,7 +19,7 @@ deps:
 # The main job on a groom that Lancret makes by itself: simulated guides, pictures of a turn of the head and a
 # report of the check in out/.
 preview: deps
-	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret
 	@mkdir -p out
 	$(LANCRET) simulate examples/made_groom.toml --frames 1-24 -o out/cache.h5 --restart --stats out/simulate.json
@@ -32,7 +32,7 @@ preview: deps
 # Other grooms: make evaluate GROOMS="groom.hair other.toml".
 GROOMS ?= $(wildcard examples/evaluate/*.toml)
 evaluate: deps
-	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret
 	@mkdir -p out/evaluate
 	@set -e; for groom in $(GROOMS); do name=$$(basename $${groom%.*}); \
@@ -42,7 +42,7 @@ evaluate: deps
 # Pictures of many kinds of hair in out/gallery/: straight, wavy and tightly curled; brown, blond and black; fur,
 # grass, depth of field, levels of detail, motion blur.
 gallery: deps
-	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret
 	@mkdir -p out/gallery
 	@set -e; for groom in examples/gallery/*.toml examples/grass.toml; do name=$$(basename $${groom%.*}); \
@@ -56,7 +56,7 @@ gallery: deps
 
 # The Blender add-on as a zip that Blender installs, with the Python package and the library: docs/blender.md.
 blender-addon: deps
-	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF -DLANCRET_BENCH=OFF
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) -DLANCRET_TESTS=OFF
 	cmake --build --preset $(PRESET) --parallel $(JOBS) --target lancret_plugin
 	python3 python/blender/build_zip.py $(BUILD)/liblancret_procedural.so out/lancret_blender.zip
 
