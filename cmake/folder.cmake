@@ -11,6 +11,7 @@ function(lancret_folder name)
     target_include_directories(lancret_${name} PUBLIC "${PROJECT_SOURCE_DIR}")
     target_link_libraries(lancret_${name} PUBLIC ${ARG_LINK} PRIVATE lancret_options)
     lancret_use_precompiled(lancret_${name} lancret_precompiled)
+    lancret_compile_together(lancret_${name})
 endfunction()
 
 # What loads libraries by name finds them by its own run path, even where a sanitizer's dlopen

@@ -26,3 +26,11 @@ endfunction()
 if(LANCRET_PRECOMPILED)
     lancret_precompile(lancret_precompiled "${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp" ${lancret_common_headers})
 endif()
+
+# Sources of a folder are compiled several at a time: most of the time goes into templates that they share.
+option(LANCRET_UNITY "Compile several sources at a time" ON)
+function(lancret_compile_together target)
+    if(LANCRET_UNITY)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    endif()
+endfunction()
