@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const fs::path& path, std::string_view what) {
+[[noreturn]] void fail_to_write(const fs::path& path, std::string_view what) {
     throw InputError(fmt::format("{}: cannot be written: {}", path.string(), what));
 }
 
@@ -28,19 +28,20 @@ std::string_view last_error() {
 
 PendingFile::PendingFile(fs::path target) : target_(std::move(target)) {
     std::error_code error;
-    if (target_.filename().empty()) fail(target_, "expected the name of a file");
+    if (target_.filename().empty()) fail_to_write(target_, "expected the name of a file");
     if (fs::is_symlink(target_, error)) {
         const fs::path behind = fs::weakly_canonical(target_, error);
-        if (error) fail(target_, error.message());
+        if (error) fail_to_write(target_, error.message());
         target_ = behind;
     }
     const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
     if (!fs::is_directory(folder, error)) {
-        fail(target_, fmt::format("there is no folder '{}'", folder.string()));
+        fail_to_write(target_, fmt::format("there is no folder '{}'", folder.string()));
     }
     if (fs::exists(target_, error) && !fs::is_regular_file(target_, error)) {
-        fail(target_, fs::is_directory(target_, error) ? "it is a folder"
-                                                       : "it is not a regular file");
+        fail_to_write(target_, fs::is_directory(target_, error)
+                                   ? "it is a folder"
+                                   : "it is not a regular file");
     }
     static std::atomic<unsigned> counter = 0;
     temporary_ = folder / fmt::format("{}.tmp-{}-{}{}", target_.stem().string(), getpid(),
@@ -55,7 +56,7 @@ PendingFile::~PendingFile() {
 void PendingFile::commit() {
     std::error_code error;
     fs::rename(temporary_, target_, error);
-    if (error) fail(target_, error.message());
+    if (error) fail_to_write(target_, error.message());
     committed_ = true;
 }
 
@@ -64,10 +65,10 @@ void write_beside_and_rename(const fs::path& target,
     PendingFile file(target);
     errno = 0;
     std::ofstream stream(file.temporary(), std::ios::binary);
-    if (!stream) fail(target, last_error());
+    if (!stream) fail_to_write(target, last_error());
     write(stream);
     stream.close();
-    if (!stream) fail(target, last_error());
+    if (!stream) fail_to_write(target, last_error());
     file.commit();
 }
 

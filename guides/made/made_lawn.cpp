@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t kCells = 48;  ///< per side
 
 /// The use of a random number.
-enum Salt : std::uint64_t { kLength = 1, kSide, kLean, kBow, kOwnLength };
+enum class LawnSalt : std::uint64_t { length = 1, side, lean, bow, own_length };
 
 /// The ground's height, cm: a rise in the middle and a fold across it.
 double height(double x, double z) {
@@ -55,20 +55,22 @@ TriangleMesh make_ground() {
 /// A blade's points from its root.
 std::vector<Vec3> blade(const MadeGroomSettings& settings, std::uint64_t id,
                         const Vec3& root, const Vec3& normal) {
-    const auto random = [&](std::uint64_t salt) {
-        return unit_double(hash_bits(settings.seed, id, salt));
+    const auto random = [&](LawnSalt salt) {
+        return unit_double(hash_bits(settings.seed, id, std::uint64_t(salt)));
     };
-    const double spread = 1 + settings.length_spread * (2 * random(kOwnLength) - 1);
+    const double spread =
+        1 + settings.length_spread * (2 * random(LawnSalt::own_length) - 1);
     const double length =
-        spread *
-        (settings.shortest + random(kLength) * (settings.longest - settings.shortest));
+        spread * (settings.shortest +
+                  random(LawnSalt::length) * (settings.longest - settings.shortest));
     const double ds = length / (settings.points - 1);
 
     const double breeze = 0.6 + 0.9 * std::sin(0.09 * root.x() + 0.05 * root.z());
-    const double angle = breeze + 0.8 * (2 * kPi) * (random(kSide) - 0.5);
+    const double angle = breeze + 0.8 * (2 * kPi) * (random(LawnSalt::side) - 0.5);
     Vec3 side(std::cos(angle), 0, std::sin(angle));
     side = (side - normal * normal.dot(side)).normalized();
-    const double lean = 0.08 + 0.3 * random(kLean), bow = 0.25 + 1.3 * random(kBow);
+    const double lean = 0.08 + 0.3 * random(LawnSalt::lean),
+                 bow = 0.25 + 1.3 * random(LawnSalt::bow);
 
     std::vector<Vec3> points{root};
     for (int i = 1; i < settings.points; ++i) {

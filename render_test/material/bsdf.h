@@ -18,6 +18,8 @@ struct BsdfSample {
     BsdfValue at;     ///< pdf > 0
 };
 
+inline float square(float x) { return x * x; }
+
 /// Reflectance of a dielectric interface of relative index `eta` > 1, met from outside.
 inline float fresnel_dielectric(float cosine, float eta) {
     const float sine_t2 = (1 - cosine * cosine) / (eta * eta);

@@ -3,8 +3,6 @@
 namespace lancret {
 namespace {
 
-float square(float x) { return x * x; }
-
 /// GGX: the density of facets with unit normal `m`, by projected area.
 float facets(const Vec3f& m, float alpha) {
     const float t = (square(m.x()) + square(m.y())) / square(alpha) + square(m.z());

@@ -14,8 +14,6 @@ namespace {
 using Eigen::Array4f;
 static_assert(kHairLobes == 4);
 
-float square(float x) { return x * x; }
-
 /// x to the power n, by squaring.
 float power(float x, int n) {
     float result = 1;

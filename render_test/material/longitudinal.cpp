@@ -12,8 +12,6 @@ namespace {
 using Eigen::Array4f;
 static_assert(kHairLobes == 4);
 
-float square(float x) { return x * x; }
-
 template <std::size_t N>
 Array4f polynomial(const Array4f& x, const std::array<float, N>& coefficients) {
     Array4f sum = Array4f::Constant(coefficients[0]);

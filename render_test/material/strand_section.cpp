@@ -8,8 +8,6 @@
 namespace lancret {
 namespace {
 
-float square(float x) { return x * x; }
-
 /// Refracts `d` at a surface of unit normal `n` on its side; `ratio` is the index of the
 /// first medium over that of the second. Returns false at total reflection.
 bool refract(const Vec2f& d, const Vec2f& n, float ratio, Vec2f& out) {
