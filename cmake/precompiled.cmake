@@ -32,5 +32,8 @@ option(LANCRET_UNITY "Compile several sources at a time" ON)
 function(lancret_compile_together target)
     if(LANCRET_UNITY)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+        # A private implementation may well hold types of its own file.
+        target_compile_options(${target} PRIVATE
+            $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
     endif()
 endfunction()
