@@ -10,7 +10,7 @@
 namespace lancret {
 namespace {
 
-constexpr int kTile = 32, kGuides = 8, kPairs = kGuides * (kGuides + 1) / 2;
+constexpr int kFilterTile = 32, kGuides = 8, kPairs = kGuides * (kGuides + 1) / 2;
 
 using Guide = Eigen::Matrix<float, kGuides, 1>;
 using Slopes = Eigen::Matrix<float, kGuides, 3>;
@@ -170,13 +170,13 @@ void denoise(Image& image, const DenoiseSettings& settings) {
         throw std::invalid_argument("denoising needs the picture's variance");
     }
     const DepthRange range = depth_range(image);
-    const int across = (image.width + kTile - 1) / kTile;
-    const int down = (image.height + kTile - 1) / kTile;
+    const int across = (image.width + kFilterTile - 1) / kFilterTile;
+    const int down = (image.height + kFilterTile - 1) / kFilterTile;
     const auto each_tile = [&](const auto& work) {
         tbb::parallel_for(0, across * down, [&](int tile) {
-            const int x0 = tile % across * kTile, y0 = tile / across * kTile;
-            work(Window{x0, y0, std::min(x0 + kTile, image.width),
-                        std::min(y0 + kTile, image.height)});
+            const int x0 = tile % across * kFilterTile, y0 = tile / across * kFilterTile;
+            work(Window{x0, y0, std::min(x0 + kFilterTile, image.width),
+                        std::min(y0 + kFilterTile, image.height)});
         });
     };
     std::vector<Vec3f> filtered(image.rgba.size()), out(image.rgba.size());

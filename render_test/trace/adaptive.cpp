@@ -10,7 +10,7 @@
 namespace lancret {
 namespace {
 
-constexpr int kReach = 3;  ///< of the window around a pixel, pixels
+constexpr int kWindowReach = 3;  ///< of the window around a pixel, pixels
 
 /// Statistics of one pixel, or their sums over several.
 struct Spread {
@@ -43,11 +43,11 @@ std::vector<std::uint32_t> samples_needed(const Film& film, float noise,
     const int width = film.sums.width, height = film.sums.height;
     const auto pixel_at = [&](int x, int y) { return std::size_t(y) * width + x; };
     std::vector<Spread> rows(
-        film.samples.size());  // sums over kReach pixels to either side
+        film.samples.size());  // sums over kWindowReach pixels to either side
     tbb::parallel_for(0, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
-            for (int i = std::max(x - kReach, 0); i <= std::min(x + kReach, width - 1);
-                 ++i) {
+            for (int i = std::max(x - kWindowReach, 0);
+                 i <= std::min(x + kWindowReach, width - 1); ++i) {
                 rows[pixel_at(x, y)] += spread_of(film, pixel_at(i, y));
             }
         }
@@ -60,8 +60,8 @@ std::vector<std::uint32_t> samples_needed(const Film& film, float noise,
     tbb::parallel_for(0, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
             Spread about;
-            for (int i = std::max(y - kReach, 0); i <= std::min(y + kReach, height - 1);
-                 ++i) {
+            for (int i = std::max(y - kWindowReach, 0);
+                 i <= std::min(y + kWindowReach, height - 1); ++i) {
                 about += rows[pixel_at(x, i)];
             }
             if (!(about.variance > 0)) continue;

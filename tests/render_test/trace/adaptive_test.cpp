@@ -62,8 +62,8 @@ TEST(Adaptive, OneBrightSampleCountsForThePixelsAroundIt) {
     }
 }
 
-struct GroomSettings : HairyBall {
-    GroomSettings() : HairyBall(64, 48, 1024) {}
+struct SmallBall : HairyBall {
+    SmallBall() : HairyBall(64, 48, 1024) {}
     Image image(std::uint64_t* paths = nullptr) const {
         return HairyBall::image([&](const RenderProgress& p) {
             if (paths) *paths = p.paths;
@@ -83,7 +83,7 @@ double noise(const Image& image, const Image& reference) {
 }
 
 TEST(Adaptive, ThePictureReachesItsNoiseWithFewerPathsThanUniformSampling) {
-    GroomSettings groom;
+    SmallBall groom;
     groom.settings.seed = 7;
     const Image reference = groom.image();
     groom.settings.seed = 0;
@@ -95,14 +95,14 @@ TEST(Adaptive, ThePictureReachesItsNoiseWithFewerPathsThanUniformSampling) {
         // twice as good as requested, which would be wasteful.
         EXPECT_LT(reached, 1.05 * target);
         EXPECT_GT(reached, 0.5 * target);
-        GroomSettings even;
+        SmallBall even;
         even.settings.samples = int(paths / (64 * 48));
         EXPECT_LT(reached, noise(even.image(), reference)) << paths / (64.0 * 48);
     }
 }
 
 TEST(Adaptive, SameBitsForAnyNumberOfThreadsAndProgressively) {
-    GroomSettings groom;
+    SmallBall groom;
     groom.settings.noise = 0.3f;
     const auto same = [](const Image& a, const Image& b) {
         return std::memcmp(a.rgba.data(), b.rgba.data(),
@@ -121,7 +121,7 @@ TEST(Adaptive, SameBitsForAnyNumberOfThreadsAndProgressively) {
 }
 
 TEST(Adaptive, ProgressEndsAtOneAndNeverFalls) {
-    GroomSettings groom;
+    SmallBall groom;
     groom.settings.noise = 0.3f;
     double before = 0;
     render(groom.scene, groom.camera, groom.settings, [&](const RenderProgress& p) {

@@ -14,8 +14,8 @@
 namespace lancret {
 namespace {
 
-struct GroomSettings : HairyBall {
-    GroomSettings() : HairyBall(50, 41, 4) {}
+struct SmallBall : HairyBall {
+    SmallBall() : HairyBall(50, 41, 4) {}
 };
 
 template <class T>
@@ -25,7 +25,7 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 TEST(Render, SameBitsForAnyNumberOfThreads) {
-    const GroomSettings groom;
+    const SmallBall groom;
     const auto with_threads = [&](std::size_t threads) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                           threads);
@@ -42,14 +42,14 @@ TEST(Render, SameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Render, SeedChangesThePicture) {
-    GroomSettings groom;
+    SmallBall groom;
     const Image first = groom.image();
     groom.settings.seed = 1;
     EXPECT_FALSE(same_bits(first.rgba, groom.image().rgba));
 }
 
 TEST(Render, LayersDescribeThePixel) {
-    const GroomSettings groom;
+    const SmallBall groom;
     const Image image = groom.image();
     const float nearest =
         (groom.geometry.bounds().center() - groom.camera.position).norm() - 25;
@@ -78,7 +78,7 @@ TEST(Render, LayersDescribeThePixel) {
 }
 
 TEST(Render, BrokenStrandsNeitherCrashNorSpoilThePicture) {
-    GroomSettings groom;
+    SmallBall groom;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
     const std::uint32_t per = groom.curves.points_of(0);
@@ -111,7 +111,7 @@ TEST(Render, BrokenStrandsNeitherCrashNorSpoilThePicture) {
 }
 
 TEST(Render, ProgressiveEndsInTheSameBitsAfterDoublings) {
-    GroomSettings groom;
+    SmallBall groom;
     groom.settings.samples = 6;
     const Image at_once = groom.image();
     std::vector<int> shown;
@@ -134,7 +134,7 @@ TEST(Render, ProgressiveEndsInTheSameBitsAfterDoublings) {
 }
 
 TEST(Render, ProgressCountsTheRays) {
-    GroomSettings groom;
+    SmallBall groom;
     groom.scene.lights = Lights();  // nothing shines: no shadow rays
     groom.settings.path.max_depth = 1;
     std::uint64_t rays = 0;
@@ -149,7 +149,7 @@ TEST(Render, ProgressCountsTheRays) {
 }
 
 TEST(Render, RougherLaterHairLeavesTheFirstScatteringUnchanged) {
-    GroomSettings groom;
+    SmallBall groom;
     const Image plain = groom.image();
     groom.scene.later_hair = HairModel(roughened(HairMaterial{}, 0.5f));
     EXPECT_FALSE(same_bits(plain.rgba, groom.image().rgba));
@@ -160,7 +160,7 @@ TEST(Render, RougherLaterHairLeavesTheFirstScatteringUnchanged) {
 }
 
 TEST(Render, EnvironmentIsShownOnRequestAndThenCoversAll) {
-    GroomSettings groom;
+    SmallBall groom;
     groom.scene.lights = Lights(Environment(Vec3f(0.25f, 0.5f, 0.75f)));
     groom.settings.path.show_environment = true;
     const Image image = groom.image();
@@ -169,7 +169,7 @@ TEST(Render, EnvironmentIsShownOnRequestAndThenCoversAll) {
 }
 
 TEST(Render, ProgressEndsAtOneAndNeverFalls) {
-    const GroomSettings groom;
+    const SmallBall groom;
     double last = 0;
     int calls = 0;
     render(groom.scene, groom.camera, groom.settings, [&](const RenderProgress& p) {
@@ -182,7 +182,7 @@ TEST(Render, ProgressEndsAtOneAndNeverFalls) {
 }
 
 TEST(Render, RefusesSettingsOutOfRange) {
-    GroomSettings groom;
+    SmallBall groom;
     groom.settings.samples = 0;
     EXPECT_THROW(groom.image(), std::invalid_argument);
     groom.settings.samples = 1;
