@@ -68,8 +68,9 @@ nlohmann::json info_hair(const std::filesystem::path& file) {
                strands.transparency.empty() ? "" : "transparency ",
                strands.colours.empty() ? "" : "colour ",
                strands.uvs.empty() ? "" : "uv ");
-    for (const std::string& warning : report.warnings)
+    for (const std::string& warning : report.warnings) {
         fmt::print("warning: {}\n", warning);
+    }
     if (report.dropped_strands > 0) {
         fmt::print("warning: ignored {} strands of one point\n", report.dropped_strands);
     }
@@ -98,8 +99,9 @@ nlohmann::json info_cache(const std::filesystem::path& file) {
                                 : "no restart data");
     if (!info.groom.empty()) fmt::print("groom: {}\n", info.groom);
     std::vector<double> lengths;
-    for (std::size_t g = 0; g < guides.size(); ++g)
+    for (std::size_t g = 0; g < guides.size(); ++g) {
         lengths.push_back(guide_length(guides, g));
+    }
     print_range("length", lengths, " cm");
     return {{"guides", info.guides},
             {"segments", info.segments},

@@ -73,8 +73,9 @@ GuideFit guide_fit(const Guides& guides, const std::vector<SampledCurve>& strand
         real.points.insert(real.points.end(), strand.positions.begin(),
                            strand.positions.end());
         lengths.push_back(strand.length);
-        for (int i = 0; i <= kCompareSteps; ++i)
+        for (int i = 0; i <= kCompareSteps; ++i) {
             s[i] = strand.length * i / double(kCompareSteps);
+        }
         sample(super_helix(guides, g), s,
                [&](std::size_t i, std::size_t, const HelixState<double>& state) {
                    made.strand(g)[i] = state.position;

@@ -108,8 +108,9 @@ void LowPass::operator()(std::span<const Vec3> strand, std::span<Vec3> out) cons
 
 void add_curvatures(std::span<const Vec3> strand, std::vector<Weighted>& out) {
     double length = 0;
-    for (std::size_t i = 1; i < strand.size(); ++i)
+    for (std::size_t i = 1; i < strand.size(); ++i) {
         length += (strand[i] - strand[i - 1]).norm();
+    }
     const double step = length / double(strand.size() - 1);
     for (std::size_t i = 1; i + 1 < strand.size(); ++i) {
         const double turn =

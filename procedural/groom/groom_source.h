@@ -30,7 +30,7 @@ struct GroomSource {
 
 /// What a source sets. Its TOML is still open: the caller reads the tables that it needs
 /// itself, leaves those that it ignores, and then calls `toml.finish()`, which rejects
-/// every key that nobody has read.
+/// every key that was not read.
 struct SourcedGroom {
     GroomSettings groom;
     MotionSettings motion;  ///< of the head

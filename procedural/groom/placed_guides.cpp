@@ -125,8 +125,9 @@ void read_cached_guides(const GroomSettings& groom, PlacedGuides& out) {
     out.guides = read_rest_guides(groom.strands_file);
     out.report.groom_strands = out.guides.size();
     out.grown.roots = out.guides.root_positions;
-    for (const Mat3& frame : out.guides.root_frames)
+    for (const Mat3& frame : out.guides.root_frames) {
         out.grown.tangents.push_back(frame.col(0));
+    }
 }
 
 /// Maps indices of the strands that were kept to their numbers in the file, which also

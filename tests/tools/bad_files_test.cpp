@@ -65,8 +65,9 @@ std::string hair_of_segments(const std::vector<std::uint16_t>& segments) {
     overwrite(bytes, 4, std::uint32_t(segments.size()));
     overwrite(bytes, 8, points);
     overwrite(bytes, 12, std::uint32_t(3));  // has segments, has points
-    for (const std::uint16_t n : segments)
+    for (const std::uint16_t n : segments) {
         bytes.append(reinterpret_cast<const char*>(&n), sizeof n);
+    }
     bytes.append(std::size_t(points) * 12, '\0');
     return bytes;
 }
@@ -94,10 +95,12 @@ TEST(BadFile, MissingIsRefusedByEverySubcommand) {
     const std::string file = folder.at("none.hair");
     EXPECT_THAT(lancret({"preview", file, "-o", folder.at("a.png")}),
                 refuses_with("none.hair"));
-    for (const char* command : {"check", "fit"})
+    for (const char* command : {"check", "fit"}) {
         EXPECT_THAT(lancret({command, file}), refuses_with("none.hair")) << command;
-    for (const char* name : {"none.toml", "none.h5", "none.obj"})
+    }
+    for (const char* name : {"none.toml", "none.h5", "none.obj"}) {
         EXPECT_THAT(lancret({"info", folder.at(name)}), refuses_with(name));
+    }
     EXPECT_THAT(lancret({"expand", folder.hair, "--scalp", folder.at("none.obj")}),
                 refuses_with("none.obj"));
 }

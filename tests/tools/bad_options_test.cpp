@@ -14,14 +14,16 @@ TEST(BadOption, WithoutSubcommandOrWithAnUnknownOneIsRefused) {
 
 TEST(BadOption, UnknownOptionIsNamed) {
     const SmallGrooms folder;
-    for (const char* command : {"expand", "info"})
+    for (const char* command : {"expand", "info"}) {
         EXPECT_THAT(lancret({command, folder.hair, "--colour"}),
                     refuses_with("--colour", "--help"));
+    }
 }
 
 TEST(BadOption, MissingFileArgumentIsNamed) {
-    for (const char* command : {"preview", "info"})
+    for (const char* command : {"preview", "info"}) {
         EXPECT_THAT(lancret({command}), refuses_with("required", "--help")) << command;
+    }
 }
 
 TEST(BadOption, ValueOutOfRangeIsNamedWithItsOption) {
@@ -91,8 +93,9 @@ TEST(Help, OfEverySubcommandHasExamples) {
     }
     const CommandRun run = lancret({"--help"});
     EXPECT_EQ(run.exit_code, 0);
-    for (const char* command : {"preview", "expand", "check", "fit", "info"})
+    for (const char* command : {"preview", "expand", "check", "fit", "info"}) {
         EXPECT_THAT(run.out, HasSubstr(command));
+    }
 }
 
 }  // namespace

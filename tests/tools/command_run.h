@@ -39,8 +39,9 @@ inline CommandRun run_words(const std::vector<std::string>& words,
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), flags, 0600);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), flags, 0600);
     std::vector<char*> arguments;
-    for (const std::string& word : words)
+    for (const std::string& word : words) {
         arguments.push_back(const_cast<char*>(word.c_str()));
+    }
     arguments.push_back(nullptr);
     CommandRun run;
     pid_t child = 0;

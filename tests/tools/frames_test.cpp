@@ -96,9 +96,10 @@ TEST(Frames, ATurntableDrawsThinStrandsWiderInEveryView) {
     const std::string wide =
         f.file("wide.toml", read_bytes(f.made) + "min_width_pixels = 2\n");
     for (const auto& [groom, picture] :
-         {std::pair{f.made, "t.##.png"}, std::pair{wide, "w.##.png"}})
+         {std::pair{f.made, "t.##.png"}, std::pair{wide, "w.##.png"}}) {
         ASSERT_THAT(lancret({"preview", groom, "--turntable", "2", "-o", f.at(picture)}),
                     works());
+    }
     EXPECT_NE(read_bytes(f / "w.01.png"), read_bytes(f / "t.01.png"));
     EXPECT_NE(read_bytes(f / "w.02.png"), read_bytes(f / "t.02.png"));
 }
@@ -185,8 +186,9 @@ TEST(Frames, BetweenFramesHairIsBetween) {
                     works());
         const Strands strands = read_hair(hair);
         Eigen::Matrix3Xf out(3, strands.size());
-        for (std::size_t i = 0; i < strands.size(); ++i)
+        for (std::size_t i = 0; i < strands.size(); ++i) {
             out.col(Eigen::Index(i)) = strands.strand(i).back();
+        }
         return out;
     };
     const auto a = tips("12"), b = tips("12.25"), c = tips("13");
@@ -271,8 +273,9 @@ TEST(Frames, CheckMeasuresEveryFrameAndNamesTheWorst) {
     EXPECT_EQ(report["frames"][2]["frame"], 13);
     const double largest = report["worst_over_frames"]["length"]["max_relative_error"];
     double expected = 0;
-    for (const auto& frame : report["frames"])
+    for (const auto& frame : report["frames"]) {
         expected = std::max<double>(expected, frame["length"]["max_relative_error"]);
+    }
     EXPECT_EQ(largest, expected);
     // Reading projects the rest roots onto the scalp: round-off of doubles of 15 cm.
     EXPECT_LE(report["worst_over_frames"]["guides"]["root_cm"]["max"], 1e-13);

@@ -42,8 +42,9 @@ TEST(Preview, PngShowsHairOnTheBackground) {
     ASSERT_EQ(picture.height, 32);
     // The corners show the background, 0.18, to half a step of the 8-bit code: the slope
     // of the linear value over the code is below 2.4 * 0.46^1.4 / 1.055 < 0.8, over 510.
-    for (const std::size_t corner : {0u, 31u, 31u * 32u, 32u * 32u - 1u})
+    for (const std::size_t corner : {0u, 31u, 31u * 32u, 32u * 32u - 1u}) {
         EXPECT_NEAR(picture.texels[corner].x(), 0.18, 0.8 / 510) << corner;
+    }
     // The middle does not: black hair is darker, and the skin of the head is redder.
     const Vec3f middle = picture.texels[16 * 32 + 16];
     EXPECT_GT((middle - Vec3f::Constant(0.18f)).norm(), 0.02);
@@ -122,8 +123,9 @@ TEST(Preview, DenoisingChangesHairButNotTheBackground) {
     const Texture after = picture("b.png", {"--denoise"});
     EXPECT_NE(before.texels, after.texels);
     // The corners show only the background.
-    for (const std::size_t corner : {0u, 15u, 11u * 16u})
+    for (const std::size_t corner : {0u, 15u, 11u * 16u}) {
         EXPECT_EQ(before.texels[corner], after.texels[corner]);
+    }
 }
 
 TEST(Preview, StatsHaveTimesCountsAndBytes) {
@@ -189,8 +191,9 @@ std::vector<double> lengths_of(const Strands& strands) {
     for (std::size_t i = 0; i < strands.size(); ++i) {
         double sum = 0;
         const auto points = strands.strand(i);
-        for (std::size_t j = 1; j < points.size(); ++j)
+        for (std::size_t j = 1; j < points.size(); ++j) {
             sum += (points[j].cast<double>() - points[j - 1].cast<double>()).norm();
+        }
         out.push_back(sum);
     }
     return out;
@@ -211,8 +214,9 @@ TEST(Expand, HairReadsBackWithPointsOnTheStrands) {
     // distance from the points; 1 % is allowed here. Chords of 64 steps are shorter than
     // the arc by at most (9/64)^2 / 24 < 0.1 %.
     const double guide = std::hypot(5, 9 * 0.2);
-    for (const double length : lengths_of(strands))
+    for (const double length : lengths_of(strands)) {
         EXPECT_NEAR(length, guide, 0.011 * guide);
+    }
     for (std::size_t i = 0; i < strands.size(); ++i) {
         // Roots lie on the square [0, 4]^2 at z = 0, up to round-off.
         const Vec3f root = strands.strand(i).front();
@@ -249,8 +253,9 @@ TEST(Expand, TextHasFourNumbersPerLineAndABlankLineBetweenStrands) {
 
 TEST(ExpandAndPreview, SameBytesOnOneCoreAsOnAll) {
     const SmallGrooms folder;
-    if (run_words({"taskset", "-c", "0", "true"}).exit_code != 0)
+    if (run_words({"taskset", "-c", "0", "true"}).exit_code != 0) {
         GTEST_SKIP() << "needs taskset";
+    }
     const auto both = [&](const char* name, std::vector<std::string> words) {
         const std::string all = folder.at(std::string("all") + name);
         const std::string one = folder.at(std::string("one") + name);

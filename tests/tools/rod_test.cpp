@@ -93,8 +93,9 @@ TEST(BadRodOption, IsNamedInOneLine) {
     const auto rejects = [](const char* option, const char* value) {
         EXPECT_THAT(lancret({"rod", option, value}), refuses_with(option)) << value;
     };
-    for (const char* gamma : {"-1", "nan", "inf", "1e7", "ten"})
+    for (const char* gamma : {"-1", "nan", "inf", "1e7", "ten"}) {
         rejects("--gamma", gamma);
+    }
     for (const char* count : {"0", "201", "2.5"}) rejects("--segments", count);
     for (const char* natural : {"1,2", "1,2,3,4", "nan,0,0", "0,0,1e5"}) {
         rejects("--natural", natural);
@@ -102,8 +103,9 @@ TEST(BadRodOption, IsNamedInOneLine) {
     for (const char* tangent : {"0,0,0", "inf,0,0", "1,,0"}) {
         rejects("--root-tangent", tangent);
     }
-    for (const char* normal : {"1,0,0", "-2,0,0", "0,0,0"})
+    for (const char* normal : {"1,0,0", "-2,0,0", "0,0,0"}) {
         rejects("--root-normal", normal);
+    }
     for (const char* ratio : {"0", "-1", "nan"}) {
         rejects("--torsion-ratio", ratio);
         rejects("--bending-ratio", ratio);

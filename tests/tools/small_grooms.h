@@ -35,8 +35,9 @@ inline Strands straight_hairs(const std::vector<Vec3f>& roots, const Vec3f& reac
                               int points = 2) {
     Strands out;
     for (const Vec3f& root : roots) {
-        for (int i = 0; i < points; ++i)
+        for (int i = 0; i < points; ++i) {
             out.points.push_back(root + reach * (float(i) / float(points - 1)));
+        }
         out.first.push_back(std::uint32_t(out.points.size()));
     }
     return out;

@@ -22,8 +22,9 @@ nlohmann::json json_of(const std::string& file) {
 /// Runs preview --view and returns the view from its --stats.
 nlohmann::json view_stats(const SmallGrooms& folder, std::vector<std::string> words) {
     words.insert(words.begin(), "preview");
-    for (const char* word : {"--size", "40x40", "--samples", "1", "-o"})
+    for (const char* word : {"--size", "40x40", "--samples", "1", "-o"}) {
         words.emplace_back(word);
+    }
     words.push_back(folder.at("view.exr"));
     words.emplace_back("--stats");
     words.push_back(folder.at("view.json"));
@@ -71,10 +72,11 @@ TEST(Views, EachHasADifferentPicture) {
 /// Appends a box whose triangles face outward.
 void add_box(TriangleMesh& mesh, const Vec3f& low, const Vec3f& high) {
     const auto first = std::uint32_t(mesh.positions.size());
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         mesh.positions.emplace_back(i & 1 ? high.x() : low.x(),
                                     i & 2 ? high.y() : low.y(),
                                     i & 4 ? high.z() : low.z());
+    }
     constexpr std::uint32_t kSides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                             {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (const auto& s : kSides) {
@@ -88,9 +90,10 @@ TEST(Views, PenetrationShowsOnlyStrandsThatRunThroughABody) {
     // 3: hairs with roots there are 0.5 cm deep inside, or less near x = 2.
     const SmallGrooms folder;
     std::vector<Vec3f> roots;
-    for (int i = 0; i < 64; ++i)
+    for (int i = 0; i < 64; ++i) {
         roots.emplace_back(0.25f + 0.5f * float(i % 8), 0.25f + 0.5f * float(i / 8),
                            0.0f);
+    }
     const std::string hair = folder.at("straight.hair"), obj = folder.at("box.obj");
     write_hair(hair, straight_hairs(roots, Vec3f(0, 0, 5), 9));
     TriangleMesh mesh = square_mesh(4, 3);
@@ -163,17 +166,20 @@ TEST(Views, InvalidOnesAreRefused) {
     EXPECT_THAT(ask({folder.hair, "--view", "penetration"}),
                 refuses_with("--view penetration: ", "--scalp"));
     // Different as doubles but not as floats.
-    for (const char* range : {"0,1e-60", "1,1.00000000001", "-1e39,1e39"})
+    for (const char* range : {"0,1e-60", "1,1.00000000001", "-1e39,1e39"}) {
         EXPECT_THAT(ask({folder.made, "--view", "curvature", "--view-range", range}),
                     refuses_with("--view-range: ", ""));
-    for (const char* range : {"1", "2,1", "0,nan", "0,inf", "a,b", "1,1"})
+    }
+    for (const char* range : {"1", "2,1", "0,nan", "0,inf", "a,b", "1,1"}) {
         EXPECT_THAT(ask({folder.made, "--view", "curvature", "--view-range", range}),
                     refuses_with("--view-range: ", range));
+    }
     EXPECT_THAT(ask({folder.made, "--view", "influence", "--view-range", "0,1"}),
                 refuses_with("--view-range: ", "influence"));
-    for (const char* range : {"0,1", "1e-60,1"})
+    for (const char* range : {"0,1", "1e-60,1"}) {
         EXPECT_THAT(ask({folder.made, "--view", "length-error", "--view-range", range}),
                     refuses_with("--view-range: ", "logarithmic"));
+    }
     const std::string deep = folder.at("deep.exr");
     for (const std::vector<std::string>& light : std::vector<std::vector<std::string>>{
              {"--deep", deep}, {"--denoise"}, {"--draft"}, {"--noise", "0.1"}}) {
@@ -192,8 +198,9 @@ std::pair<int, int> size_of_png(const std::string& path) {
     const std::string bytes = read_bytes(path);
     const auto number = [&](std::size_t at) {
         int out = 0;
-        for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t i = 0; i < 4; ++i) {
             out = out << 8 | std::uint8_t(bytes.at(at + i));
+        }
         return out;
     };
     return {number(16), number(20)};
@@ -205,9 +212,10 @@ TEST(ContactSheet, ShowsThePicturesOfATurntable) {
     ASSERT_THAT(lancret({"preview", folder.made, "--turntable", "6", "-o",
                          folder.at("t.#.png"), "--contact-sheet", sheet}),
                 works());
-    for (int i = 1; i <= 6; ++i)
+    for (int i = 1; i <= 6; ++i) {
         EXPECT_TRUE(
             std::filesystem::exists(folder / ("t." + std::to_string(i) + ".png")));
+    }
     const Image image = make_contact_sheet(6, 32, 32, Vec3f::Zero()).image;
     EXPECT_EQ(size_of_png(sheet), std::pair(image.width, image.height));
 }
@@ -234,8 +242,9 @@ TEST(StillFrames, AreGrownAndRenderedOnce) {
     for (Vec3& u : bent.curvatures) u.z() += 0.05;
     {
         FrameStore store(cache, {24, 1, folder.made}, "still", rest, true);
-        for (const bool is_bent : {false, false, true, true, false})
+        for (const bool is_bent : {false, false, true, true, false}) {
             store.add(is_bent ? bent : rest, {});
+        }
         store.finish();
     }
     ASSERT_THAT(

@@ -85,8 +85,9 @@ TEST(HoldOut, WithoutAScalpNothingIsRotatedAndFacingHasNoEffect) {
     // Half the guides point downward: with facing they would have no weight.
     Strands strands = curly_strands(100, 4);
     for (std::size_t i = 0; i < strands.size(); i += 2) {
-        for (std::uint32_t p = strands.first[i]; p < strands.first[i + 1]; ++p)
+        for (std::uint32_t p = strands.first[i]; p < strands.first[i + 1]; ++p) {
             strands.points[p].z() *= -1;
+        }
     }
     const HoldOut holdout = hold_out(strands, nullptr, {.guides = {.share = 0.2}}, "g");
     EXPECT_EQ(holdout.binding.report.no_facing_guide, 0u);
@@ -128,10 +129,12 @@ TEST(HoldOut, AGroomWithNothingToPredictIsRefused) {
 
 TEST(HoldOut, StrandsOfZeroLengthAreIgnoredAndCounted) {
     Strands strands = curly_strands(30, 8);
-    for (std::uint32_t p = strands.first[3]; p < strands.first[4]; ++p)
+    for (std::uint32_t p = strands.first[3]; p < strands.first[4]; ++p) {
         strands.points[p] = Vec3f(1, 1, 0);
-    for (std::uint32_t p = strands.first[5]; p < strands.first[6]; ++p)
+    }
+    for (std::uint32_t p = strands.first[5]; p < strands.first[6]; ++p) {
         strands.points[p] *= 1e-20f;
+    }
     const HoldOut holdout = hold_out(strands, nullptr, {.guides = {.number = 5}}, "g");
     EXPECT_EQ(holdout.flat_strands, 2u);
     EXPECT_EQ(holdout.guides.size() + holdout.binding.size(), 28u);

@@ -18,8 +18,9 @@ StrandSamples strands_of(int count, int steps,
                          const std::function<Vec3(int, double)>& place) {
     StrandSamples out{steps, {}};
     for (int i = 0; i < count; ++i) {
-        for (int j = 0; j <= steps; ++j)
+        for (int j = 0; j <= steps; ++j) {
             out.points.push_back(place(i, double(j) / steps));
+        }
     }
     return out;
 }

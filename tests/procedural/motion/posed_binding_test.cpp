@@ -125,8 +125,9 @@ TEST(Pose, TheRestMeshIsTheRestPose) {
     // A place stores (u, v) as floats, 6e-8 of an edge shorter than 10 cm, and the
     // closest point is computed in floats.
     ASSERT_EQ(roots.size(), g.placed.guides.size());
-    for (std::size_t i = 0; i < roots.size(); ++i)
+    for (std::size_t i = 0; i < roots.size(); ++i) {
         EXPECT_LE((roots[i] - g.placed.guides.root_positions[i]).norm(), 1e-5);
+    }
 }
 
 TEST(Pose, RootsAndNormalsFollowAStretchedMesh) {
@@ -163,8 +164,9 @@ TEST(Pose, ARigidlyMovedMeshIsARigidPose) {
         EXPECT_LE((rigid.roots.positions[i] - meshed.roots.positions[i]).norm(), 2e-5);
         EXPECT_LE((rigid.roots.normals[i] - meshed.roots.normals[i]).norm(), 1e-4);
     }
-    for (std::size_t i = 0; i < guides.size(); ++i)
+    for (std::size_t i = 0; i < guides.size(); ++i) {
         EXPECT_LE((rigid.guide_normals[i] - meshed.guide_normals[i]).norm(), 1e-4);
+    }
 }
 
 TEST(Pose, FollowsAHeadOnAPathOfKeys) {
