@@ -144,16 +144,18 @@ class ObjChecker {
                                 word));
             }
         }
-        if (corners < 3)
+        if (corners < 3) {
             fail(fmt::format("a face has {} corners, expected at least 3", corners));
+        }
     }
 
     const char* check_index(const char* at, const char* end, long count, Index& last,
                             std::string_view what) const {
         long index = 0;
         const auto [after, error] = std::from_chars(at, end, index);
-        if (error != std::errc())
+        if (error != std::errc()) {
             fail(fmt::format("the index of a {} is not a number", what));
+        }
         if (index == 0 || index < -count) fail_index(index, count, what);
         // A face may come before its vertices: positive indices are validated at the end.
         if (index > last.value) last = {index, line_};

@@ -51,8 +51,9 @@ std::vector<Vec3> first_guess(const SampledCurve& target, const Mat3& root, int 
     for (int q = 0; q < segments; ++q) {
         const auto row = std::span(bend).subspan(q * per_segment, per_segment);
         std::complex<double> step = 0, mean = 0;
-        for (std::size_t i = 0; i + 1 < row.size(); ++i)
+        for (std::size_t i = 0; i + 1 < row.size(); ++i) {
             step += std::conj(row[i]) * row[i + 1];
+        }
         const double rate = with_twist && std::abs(step) > 0 ? std::arg(step) : 0;
         for (std::size_t i = 0; i < row.size(); ++i) {
             mean += row[i] * std::polar(1.0, -(twist + rate * (double(i) + 0.5)));
@@ -78,8 +79,9 @@ class Problem {
           lengths_(settings.segments, target.length / settings.segments) {
         const std::size_t n = target.positions.size() - 1;
         s_.resize(n);
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t i = 0; i < n; ++i) {
             s_[i] = target.length * double(i + 1) / double(n);
+        }
     }
 
     int unknowns() const { return 3 * int(lengths_.size()) + (turns_root_ ? 2 : 0); }

@@ -23,18 +23,20 @@ Vec3 tangent_integral(const ConstantHelicity& strand, double a, double b) {
     const int parts = std::max(4, int(std::ceil(std::min(2 * turn, 1e6))));
     const double size = (b - a) / parts;
     Vec3 sum = Vec3::Zero();
-    for (int i = 0; i < parts; ++i)
+    for (int i = 0; i < parts; ++i) {
         for (int j = 0; j < 5; ++j) {
             const double s = a + size * (i + 0.5 * (1 + kNodes[j]));
             sum += kWeights[j] *
                    constant_helicity_rotation(strand.helicity, strand.turn(s)).col(0);
         }
+    }
     return sum * size / 2;
 }
 
 void require_intervals(int n) {
-    if (n < 1)
+    if (n < 1) {
         throw std::invalid_argument("constant helicity: expected at least one interval");
+    }
 }
 
 }  // namespace

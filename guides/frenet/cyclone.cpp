@@ -10,9 +10,10 @@ namespace {
 
 void require_radius(const Cyclone& cyclone) {
     if (!(cyclone.radius > 0 && cyclone.length > 0 &&
-          cyclone.radius + cyclone.growth * cyclone.length > 0))
+          cyclone.radius + cyclone.growth * cyclone.length > 0)) {
         throw std::invalid_argument(
             "cyclone: the radius of curvature must be positive from root to tip");
+    }
 }
 
 }  // namespace
@@ -45,8 +46,9 @@ std::vector<HelixState<double>> cyclone_strand(const Cyclone& cyclone,
                                                const HelixState<double>& root, int n) {
     if (n < 1) throw std::invalid_argument("cyclone: expected at least one interval");
     std::vector<HelixState<double>> states;
-    for (int i = 0; i <= n; ++i)
+    for (int i = 0; i <= n; ++i) {
         states.push_back(cyclone_state(cyclone, root, cyclone.length * i / n));
+    }
     return states;
 }
 

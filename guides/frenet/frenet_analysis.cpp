@@ -49,10 +49,11 @@ std::vector<std::size_t> nearest_bends(const std::vector<double>& bend,
     last.reset();
     for (std::size_t i = n; i-- > 0;) {
         if (bend[i] > least) last = i;
-        if (!last)
+        if (!last) {
             nearest[i] = nearest[i] == n ? i : nearest[i];
-        else if (nearest[i] == n || at[*last] - at[i] < at[i] - at[nearest[i]])
+        } else if (nearest[i] == n || at[*last] - at[i] < at[i] - at[nearest[i]]) {
             nearest[i] = *last;
+        }
     }
     return nearest;
 }
@@ -121,9 +122,10 @@ std::vector<FrenetPoint> frenet_points(std::span<const CurvePoint> samples,
 
 FrenetProfile profile_of_points(std::span<const FrenetPoint> points,
                                 std::span<const double> steps) {
-    if (points.size() != steps.size() + 1)
+    if (points.size() != steps.size() + 1) {
         throw std::invalid_argument(
             "profile_of_points: expected one point more than steps");
+    }
     FrenetProfile profile{points[0].state, {steps.begin(), steps.end()}, {}};
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const FrenetRates &a = points[i].rates, &b = points[i + 1].rates;
@@ -140,8 +142,9 @@ FrenetProfile analyze(const Curve& curve, int n, const Vec3& hint, FrenetMethod 
     const int fine = std::max(1, (4 * int(curve.pieces.size()) + n - 1) / n);
     const double ds = curve.length() / n;
     std::vector<CurvePoint> samples;
-    for (int i = 0; i <= n * fine; ++i)
+    for (int i = 0; i <= n * fine; ++i) {
         samples.push_back(evaluate(curve, parameter_at(curve, ds * i / fine)));
+    }
     const auto tracked = frenet_points(samples, hint, straight_turn);
 
     const std::vector<double> steps(n, ds);

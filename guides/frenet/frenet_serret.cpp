@@ -67,12 +67,14 @@ FrenetRates frenet_step(const Mat3& rotation, double ds,
 FrenetProfile profile_of_frames(std::span<const HelixState<double>> states,
                                 std::span<const double> steps,
                                 std::span<const FrenetRates> expected) {
-    if (states.size() != steps.size() + 1)
+    if (states.size() != steps.size() + 1) {
         throw std::invalid_argument(
             "profile_of_frames: expected one state more than steps");
-    if (!expected.empty() && expected.size() != steps.size())
+    }
+    if (!expected.empty() && expected.size() != steps.size()) {
         throw std::invalid_argument(
             "profile_of_frames: expected one rate per step or none");
+    }
     FrenetProfile profile;
     profile.root = states[0];
     profile.steps.assign(steps.begin(), steps.end());
@@ -87,8 +89,9 @@ FrenetProfile profile_of_frames(std::span<const HelixState<double>> states,
 
 double largest_turn(const FrenetProfile& profile) {
     double largest = 0;
-    for (std::size_t i = 0; i < profile.size(); ++i)
+    for (std::size_t i = 0; i < profile.size(); ++i) {
         largest = std::max(largest, profile.rates[i].darboux().norm() * profile.steps[i]);
+    }
     return largest;
 }
 

@@ -34,10 +34,11 @@ std::vector<HelixState<double>> placed(const OrderedExponential& shape,
                                        const HelixState<double>& root) {
     std::vector<HelixState<double>> states;
     states.reserve(shape.rotations.size());
-    for (std::size_t i = 0; i < shape.rotations.size(); ++i)
+    for (std::size_t i = 0; i < shape.rotations.size(); ++i) {
         states.push_back(
             {root.frame * shape.rotations[i].transpose(),
              root.position + root.frame * shape.integrals[i].row(0).transpose()});
+    }
     return states;
 }
 

@@ -1,6 +1,6 @@
 #include "guides/made/made_groom.h"
 
-#include <tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "guides/made/made_lawn.h"
 
-#include <tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <cmath>
 
@@ -29,12 +29,13 @@ TriangleMesh make_ground() {
     const auto uv = [](std::uint32_t i, std::uint32_t j) {
         return Vec2f(float(i) / kCells, float(j) / kCells);
     };
-    for (std::uint32_t j = 0; j <= kCells; ++j)
+    for (std::uint32_t j = 0; j <= kCells; ++j) {
         for (std::uint32_t i = 0; i <= kCells; ++i) {
             const double x = kMadeLawn * (double(i) / kCells - 0.5);
             const double z = kMadeLawn * (0.5 - double(j) / kCells);
             mesh.positions.emplace_back(float(x), float(height(x, z)), float(z));
         }
+    }
     const auto add = [&](std::array<std::array<std::uint32_t, 2>, 3> corners) {
         auto& triangle = mesh.triangles.emplace_back();
         auto& uvs = mesh.uvs.emplace_back();
@@ -44,11 +45,12 @@ TriangleMesh make_ground() {
             uvs[c] = uv(i, j);
         }
     };
-    for (std::uint32_t j = 0; j < kCells; ++j)
+    for (std::uint32_t j = 0; j < kCells; ++j) {
         for (std::uint32_t i = 0; i < kCells; ++i) {
             add({{{i, j}, {i + 1, j}, {i + 1, j + 1}}});
             add({{{i, j}, {i + 1, j + 1}, {i, j + 1}}});
         }
+    }
     return mesh;
 }
 
@@ -98,14 +100,16 @@ MadeGroom make_lawn(const MadeGroomSettings& settings) {
     strands.default_thickness = 0.3f;
     strands.default_colour = {0.1f, 0.25f, 0.05f};
     strands.points.resize(count * points);
-    for (std::size_t i = 1; i <= count; ++i)
+    for (std::size_t i = 1; i <= count; ++i) {
         strands.first.push_back(std::uint32_t(i * points));
+    }
     cancellable_for(std::size_t(0), count, [&](std::size_t i) {
         const std::vector<Vec3> made =
             blade(settings, i, scalp_position(ground, roots[i]),
                   scalp_normal(ground, roots[i]));
-        for (std::size_t j = 0; j < points; ++j)
+        for (std::size_t j = 0; j < points; ++j) {
             strands.points[i * points + j] = made[j].cast<float>();
+        }
     });
     return lawn;
 }

@@ -124,8 +124,9 @@ ClosestPoint::ClosestPoint(const TriangleMesh& mesh) : tree_(std::make_unique<Tr
         tree_->reach = std::max(tree_->reach, double(p.cwiseAbs().maxCoeff()));
     }
     tree_->device = rtcNewDevice(nullptr);
-    if (!tree_->device)
+    if (!tree_->device) {
         throw std::runtime_error("ClosestPoint: Embree cannot be started");
+    }
     tree_->scene = rtcNewScene(tree_->device);
     rtcSetSceneFlags(tree_->scene, RTC_SCENE_FLAG_ROBUST);
 

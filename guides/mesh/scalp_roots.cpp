@@ -1,7 +1,7 @@
 #include "guides/mesh/scalp_roots.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -143,8 +143,9 @@ std::vector<MeshPoint> scalp_roots(const Scalp& scalp, std::size_t count,
     if (accept) return filtered_roots(scalp, candidates, count, accept);
     std::vector<MeshPoint> roots(count);
     cancellable_for(tbb::blocked_range<std::size_t>(0, count, kChunk), [&](auto range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
             roots[i] = candidates[i];
+        }
     });
     return roots;
 }

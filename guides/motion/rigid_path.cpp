@@ -36,8 +36,9 @@ Vec3 jacobian_rate(const Vec3& theta, const Vec3& rate) {
 
 RigidPath make_rigid_path(std::vector<PoseKey> keys, const Vec3& pivot,
                           double frames_per_second) {
-    if (keys.empty())
+    if (keys.empty()) {
         throw std::invalid_argument("make_rigid_path: expected at least one key");
+    }
     if (!(frames_per_second > 0 && frames_per_second <= kLargest)) {
         throw std::invalid_argument(
             "make_rigid_path: the frames per second must be above 0");

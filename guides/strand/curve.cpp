@@ -48,10 +48,11 @@ double piece_length(const std::array<Vec3, 4>& c, double a, double b) {
 /// The curve with `arc` filled; nullopt if its length is zero or not finite.
 std::optional<Curve> with_arc(Curve curve) {
     curve.arc.assign(1, 0.0);
-    for (std::size_t k = 0; k < curve.pieces.size(); ++k)
+    for (std::size_t k = 0; k < curve.pieces.size(); ++k) {
         curve.arc.push_back(
             curve.arc.back() +
             piece_length(curve.pieces[k], 0, curve.knots[k + 1] - curve.knots[k]));
+    }
     const bool has_length = curve.length() > 0 && std::isfinite(curve.length());
     return has_length ? std::optional(std::move(curve)) : std::nullopt;
 }
@@ -71,12 +72,14 @@ std::vector<Vec3> to_double(std::span<const Vec3f> points) {
 /// The points without those that coincide with their predecessor.
 std::vector<Vec3> distinct_points(std::span<const Vec3> points) {
     double chords = 0;
-    for (std::size_t i = 1; i < points.size(); ++i)
+    for (std::size_t i = 1; i < points.size(); ++i) {
         chords += (points[i] - points[i - 1]).norm();
+    }
     const double nearest = 1e-7 * chords;
     std::vector<Vec3> kept{points.front()};
-    for (const Vec3& p : points.subspan(1))
+    for (const Vec3& p : points.subspan(1)) {
         if ((p - kept.back()).norm() > nearest) kept.push_back(p);
+    }
     if (kept.size() > 1) kept.back() = points.back();
     return kept;
 }
@@ -102,9 +105,10 @@ std::vector<Vec3> spline_slopes(const std::vector<double>& h,
     const std::size_t n = h.size();
     std::vector<Row> rows(n + 1);
     rows[0] = end_row(h[0], h[1], m[0], m[1]);
-    for (std::size_t i = 1; i < n; ++i)
+    for (std::size_t i = 1; i < n; ++i) {
         rows[i] = {h[i], 2 * (h[i - 1] + h[i]), h[i - 1],
                    3 * (h[i] * m[i - 1] + h[i - 1] * m[i])};
+    }
     rows[n] = end_row(h[n - 1], h[n - 2], m[n - 1], m[n - 2]);
     std::swap(rows[n].below, rows[n].above);
     for (std::size_t i = 1; i <= n; ++i) {
@@ -114,8 +118,9 @@ std::vector<Vec3> spline_slopes(const std::vector<double>& h,
     }
     std::vector<Vec3> slopes(n + 1);
     slopes[n] = rows[n].right / rows[n].diagonal;
-    for (std::size_t i = n; i-- > 0;)
+    for (std::size_t i = n; i-- > 0;) {
         slopes[i] = (rows[i].right - rows[i].above * slopes[i + 1]) / rows[i].diagonal;
+    }
     return slopes;
 }
 
@@ -143,9 +148,10 @@ std::optional<Curve> curve_through(std::span<const Vec3> points) {
     } else if (n > 2) {
         d = spline_slopes(h, m);
     }
-    for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t k = 0; k < n; ++k) {
         curve.pieces.push_back({p[k], d[k], (3 * m[k] - 2 * d[k] - d[k + 1]) / h[k],
                                 (d[k] + d[k + 1] - 2 * m[k]) / (h[k] * h[k])});
+    }
     return with_arc(std::move(curve));
 }
 

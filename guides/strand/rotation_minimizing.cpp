@@ -21,8 +21,9 @@ Vec3 carried_normal(const Vec3& normal, const Vec3& tangent, const Vec3& chord,
     if (chord.squaredNorm() > 0 && tangent.dot(next_tangent) > -0.5) {
         const Vec3 axis = chord.normalized();
         const Vec3 between = next_tangent - mirrored(tangent, axis);
-        if (between.squaredNorm() > 1e-6)
+        if (between.squaredNorm() > 1e-6) {
             return mirrored(mirrored(normal, axis), between);
+        }
     }
     return smallest_rotation<double>(tangent, next_tangent) * normal;
 }
@@ -35,8 +36,9 @@ Vec3 across_tangent(const Vec3& normal, const Vec3& tangent) {
         const Vec3 unit = normal / size;
         const Vec3 across = unit - tangent * tangent.dot(unit);
         // Repeated to remove the round-off of a normal almost along the tangent.
-        if (across.norm() > 1e-7)
+        if (across.norm() > 1e-7) {
             return (across - tangent * tangent.dot(across)).normalized();
+        }
     }
     return tangent.unitOrthogonal();
 }
@@ -54,12 +56,13 @@ std::vector<Mat3> rotation_minimizing_frames(std::span<const Vec3> positions,
     assert(positions.size() == tangents.size());
     std::vector<Mat3> frames;
     frames.reserve(tangents.size());
-    for (std::size_t i = 0; i < tangents.size(); ++i)
+    for (std::size_t i = 0; i < tangents.size(); ++i) {
         frames.push_back(frame_from_normal(
             i == 0 ? normal
                    : carried_normal(frames[i - 1].col(1), tangents[i - 1],
                                     positions[i] - positions[i - 1], tangents[i]),
             tangents[i]));
+    }
     return frames;
 }
 
@@ -67,12 +70,13 @@ std::vector<Mat3> rotation_minimizing_frames(std::span<const Vec3> tangents,
                                              const Vec3& normal) {
     std::vector<Mat3> frames;
     frames.reserve(tangents.size());
-    for (std::size_t i = 0; i < tangents.size(); ++i)
+    for (std::size_t i = 0; i < tangents.size(); ++i) {
         frames.push_back(frame_from_normal(
             i == 0 ? normal
                    : Vec3(smallest_rotation<double>(tangents[i - 1], tangents[i]) *
                           frames[i - 1].col(1)),
             tangents[i]));
+    }
     return frames;
 }
 

@@ -160,8 +160,9 @@ std::optional<bool> TomlTable::boolean(std::string_view key) const {
 std::optional<std::string> TomlTable::text(std::string_view key) const {
     const toml::node* value = node_->read(key);
     if (!value) return std::nullopt;
-    if (!value->is_string())
+    if (!value->is_string()) {
         fail(key, fmt::format("'{}' must be a string in quotes", key));
+    }
     return value->as_string()->get();
 }
 
@@ -196,8 +197,9 @@ std::optional<Vec3> TomlTable::vector(std::string_view key) const {
     const toml::node* value = node_->read(key);
     if (!value) return std::nullopt;
     const toml::array* array = value->as_array();
-    if (!array || array->size() != 3)
+    if (!array || array->size() != 3) {
         fail(key, fmt::format("'{}' must be [x, y, z]", key));
+    }
     const auto numbers = numbers_of(*value, 3);
     if (!numbers) fail(key, fmt::format("'{}' must be three numbers", key));
     return Vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);

@@ -12,8 +12,9 @@ std::vector<Vec3> random_points(int count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform;
     std::vector<Vec3> points;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         points.emplace_back(uniform(random), uniform(random), 0.1);
+    }
     return points;
 }
 

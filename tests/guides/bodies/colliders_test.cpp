@@ -1,7 +1,7 @@
 #include "guides/bodies/colliders.h"
 
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <cmath>
 #include <random>

@@ -205,8 +205,9 @@ TEST_F(StoredFrames, AKillWhileTheFolderIsRemovedLosesNothing) {
     first.finish();
     // As if killed after the first two files.
     std::filesystem::create_directory(frames);
-    for (const char* name : {"000043.h5", "000046.h5"})
+    for (const char* name : {"000043.h5", "000046.h5"}) {
         std::filesystem::copy(kept / name, frames / name);
+    }
     FrameStore s = store();
     EXPECT_EQ(s.frames_done(), kFrames);
     s.finish();

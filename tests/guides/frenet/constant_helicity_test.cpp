@@ -20,8 +20,9 @@ ConstantHelicity wavy(double helicity) {
 double largest_distance(const std::vector<HelixState<double>>& a,
                         const std::vector<HelixState<double>>& b) {
     double worst = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t i = 0; i < a.size(); ++i) {
         worst = std::max(worst, (a[i].position - b[i].position).norm());
+    }
     return worst;
 }
 
@@ -29,7 +30,7 @@ TEST(ConstantHelicity, FramesAreThePapersClosedForm) {
     // [TW99, Eq. 21-24], as printed.
     const HelixState<double> root = skew_root();
     const Vec3 t = root.frame.col(0), n = root.frame.col(1), b = root.frame.col(2);
-    for (double h : {-3.0, -0.4, 0.0, 1e-5, 0.9, 20.0})
+    for (double h : {-3.0, -0.4, 0.0, 1e-5, 0.9, 20.0}) {
         for (double q : {0.0, 1e-6, 0.7, 2.5, 11.0}) {
             const double w = std::sqrt(1 + h * h), l = q * w;
             const Vec3 gamma = h / w * b - 1 / w * t;
@@ -44,6 +45,7 @@ TEST(ConstantHelicity, FramesAreThePapersClosedForm) {
             EXPECT_LT((frame.col(1) - normal).norm(), tolerance);
             EXPECT_LT((frame.col(2) - binormal).norm(), tolerance);
         }
+    }
 }
 
 TEST(ConstantHelicity, FramesObeyTheFrenetEquations) {
@@ -74,9 +76,11 @@ TEST(ConstantHelicity, TangentHasAConstantAngleToTheAxis) {
         EXPECT_LT((axis - n.cross(gamma)).norm(), 1e-15);
         const double cosine = h / std::hypot(1, h);
         for (const auto& states : {constant_helicity_strand(strand, 300),
-                                   synthesize(constant_helicity_profile(strand, 300))})
-            for (const auto& state : states)
+                                   synthesize(constant_helicity_profile(strand, 300))}) {
+            for (const auto& state : states) {
                 EXPECT_NEAR(state.frame.col(0).dot(axis), cosine, 1e-13);
+            }
+        }
     }
 }
 
@@ -95,12 +99,14 @@ TEST(ConstantHelicity, PositionsConvergeToThemselvesAndToACircle) {
     // 5e6.
     const auto coarse = constant_helicity_strand(wavy(0.7), 10),
                fine = constant_helicity_strand(wavy(0.7), 1000);
-    for (int i = 0; i <= 10; ++i)
+    for (int i = 0; i <= 10; ++i) {
         EXPECT_LT((coarse[i].position - fine[100 * i].position).norm(), 1000 * 1e-16);
+    }
     const ConstantHelicity circle{skew_root(), 0, [](double s) { return s / 2; }, 12};
     const Vec3 centre = circle.root.position + 2 * circle.root.frame.col(1);
-    for (const auto& state : constant_helicity_strand(circle, 7))
+    for (const auto& state : constant_helicity_strand(circle, 7)) {
         EXPECT_NEAR((state.position - centre).norm(), 2, 1e-14);
+    }
 }
 
 TEST(ConstantHelicity, SynthesisAgreesAtOrderTwoWithExactFrames) {
@@ -109,8 +115,9 @@ TEST(ConstantHelicity, SynthesisAgreesAtOrderTwoWithExactFrames) {
     for (int n : {40, 80, 160, 320}) {
         const auto closed = constant_helicity_strand(strand, n),
                    numeric = synthesize(constant_helicity_profile(strand, n));
-        for (int i = 0; i <= n; ++i)
+        for (int i = 0; i <= n; ++i) {
             EXPECT_LT((closed[i].frame - numeric[i].frame).norm(), n * 1e-15);
+        }
         const double error = largest_distance(closed, numeric);
         if (previous > 0) {
             const double order = std::log2(previous / error);

@@ -61,9 +61,10 @@ TEST(Cyclone, PlaneCycloneIsALogarithmicSpiral) {
     const double m = c.growth, size2 = 1 + m * m;
     const Vec3 pole(-c.radius * m / size2, c.radius / size2, 0);
     const auto strand = cyclone_strand(c, {}, 20);
-    for (int i = 0; i <= 20; ++i)
+    for (int i = 0; i <= 20; ++i) {
         EXPECT_NEAR((strand[i].position - pole).norm(),
                     (c.radius + m * c.length * i / 20) / std::sqrt(size2), 1e-14);
+    }
 }
 
 TEST(Cyclone, SynthesisConvergesAtOrderTwo) {
@@ -75,9 +76,10 @@ TEST(Cyclone, SynthesisConvergesAtOrderTwo) {
             const auto numeric = synthesize(
                 constant_helicity_profile(constant_helicity(c, skew_root()), n));
             double error = 0;
-            for (int i = 0; i <= n; ++i)
+            for (int i = 0; i <= n; ++i) {
                 error =
                     std::max(error, (closed[i].position - numeric[i].position).norm());
+            }
             if (previous > 0) {
                 const double order = std::log2(previous / error);
                 std::printf("growth %g, n = %d: error %.3g, order %.2f\n", c.growth, n,

@@ -38,11 +38,12 @@ TEST(FrenetAnalysis, PointValuesOfAHelixAreItsClosedForm) {
 
 TEST(FrenetAnalysis, CircleHasNoTorsion) {
     const Sampled x = sampled([](double v) { return helix(v, 2, 0); }, 0, 2 * kPi, 12);
-    for (const FrenetMethod method : {FrenetMethod::frames, FrenetMethod::point_values})
+    for (const FrenetMethod method : {FrenetMethod::frames, FrenetMethod::point_values}) {
         for (const FrenetRates& r : profile_of(x, method).rates) {
             EXPECT_NEAR(r.curvature, 0.5, 1e-14);
             EXPECT_NEAR(r.torsion, 0, 1e-14);
         }
+    }
 }
 
 TEST(FrenetAnalysis, InflectionKeepsTheBinormalAndChangesTheSign) {
@@ -75,12 +76,13 @@ TEST(FrenetAnalysis, ClothoidHasCurvatureLinearInArcLength) {
     }
     const auto points = frenet_points(samples, Vec3::UnitZ());
     const std::vector<double> steps(40, ds);
-    for (const FrenetProfile& profile :
-         {profile_of_frames(states_of(points), steps), profile_of_points(points, steps)})
+    for (const FrenetProfile& profile : {profile_of_frames(states_of(points), steps),
+                                         profile_of_points(points, steps)}) {
         for (int i = 0; i < 40; ++i) {
             EXPECT_NEAR(profile.rates[i].curvature, -c * (ds * (i + 0.5) - 2), 1e-13);
             EXPECT_NEAR(profile.rates[i].torsion, 0, 1e-13);
         }
+    }
 }
 
 TEST(FrenetAnalysis, StraightStrandTakesTheHint) {
@@ -117,14 +119,16 @@ double noise_turn(const Curve& curve, double position_error) {
 TEST(FrenetAnalysis, RoundOffOfFloatsIsNoBend) {
     // A line 100 cm from the origin in floats: half an ulp is 2^-18 = 3.8e-6 cm per axis.
     std::vector<Vec3f> points;
-    for (int i = 0; i <= 30; ++i)
+    for (int i = 0; i <= 30; ++i) {
         points.push_back(
             (Vec3(100, 90, -80) + 0.3 * i * Vec3(0.71, -0.33, 0.62)).cast<float>());
+    }
     const Curve curve = *curve_through(points);
     const double error = 3.8e-6 * std::sqrt(3.0), turn = noise_turn(curve, error);
     double noise = 0;
-    for (const FrenetRates& r : analyze(curve, 60, Vec3::UnitY()).rates)
+    for (const FrenetRates& r : analyze(curve, 60, Vec3::UnitY()).rates) {
         noise = std::max(noise, std::abs(r.torsion));
+    }
     EXPECT_GT(noise, 1);
     const FrenetProfile profile =
         analyze(curve, 60, Vec3::UnitY(), FrenetMethod::frames, turn);
@@ -174,8 +178,9 @@ TEST(FrenetAnalysis, StretchBetweenTwoArcsTwistsOnlyAtItsMiddle) {
     EXPECT_EQ(twisted, 1);
     EXPECT_NEAR(twist, 1, 1e-12);
     const auto strand = synthesize(profile);
-    for (int i = 0; i <= n; ++i)
+    for (int i = 0; i <= n; ++i) {
         EXPECT_LT((strand[i].position - samples[i].position).norm(), 1e-13);
+    }
 }
 
 TEST(FrenetAnalysis, StraightRootTakesTheNormalOfTheFirstBend) {
@@ -184,8 +189,9 @@ TEST(FrenetAnalysis, StraightRootTakesTheNormalOfTheFirstBend) {
     const auto points = frenet_points(std::span(samples).subspan(12), Vec3::UnitX());
     const Vec3 normal = samples.back().d2;
     const Vec3 binormal = samples.back().d1.cross(normal);
-    for (const FrenetPoint& p : points)
+    for (const FrenetPoint& p : points) {
         EXPECT_LT((p.state.frame.col(2) - binormal).norm(), 1e-13);
+    }
 }
 
 TEST(FrenetAnalysis, TorsionKeepsTheFrameRightHanded) {

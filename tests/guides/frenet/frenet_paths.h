@@ -72,8 +72,9 @@ inline FrenetProfile profile_of(const Sampled& x, FrenetMethod method) {
 inline double round_trip_error(const Sampled& x, FrenetMethod method) {
     const auto strand = synthesize(profile_of(x, method));
     double worst = 0;
-    for (std::size_t i = 0; i < strand.size(); ++i)
+    for (std::size_t i = 0; i < strand.size(); ++i) {
         worst = std::max(worst, (strand[i].position - x.points[i].position).norm());
+    }
     return worst;
 }
 

@@ -23,12 +23,13 @@ void expect_order_two(const std::function<double(int)>& error, const char* name,
 
 TEST(FrenetRoundTrip, TwistedCubicIsRecoveredAtOrderTwo) {
     for (const auto& [method, name] : {std::pair(FrenetMethod::frames, "frames"),
-                                       std::pair(FrenetMethod::point_values, "points")})
+                                       std::pair(FrenetMethod::point_values, "points")}) {
         expect_order_two(
             [&](int n) {
                 return round_trip_error(sampled(twisted_cubic, -1, 1.2, n), method);
             },
             name);
+    }
 }
 
 TEST(FrenetRoundTrip, InflectionOfACubicIsRecoveredAtOrderTwo) {
@@ -66,8 +67,9 @@ TEST(FrenetRoundTrip, SplineThroughPointsIsRecoveredAtOrderTwo) {
             const auto strand = synthesize(analyze(curve, n, Vec3::UnitZ()));
             const SampledCurve exact = resample(curve, n);
             double worst = 0;
-            for (int i = 0; i <= n; ++i)
+            for (int i = 0; i <= n; ++i) {
                 worst = std::max(worst, (strand[i].position - exact.positions[i]).norm());
+            }
             return worst;
         },
         "spline", 0.2);
@@ -81,9 +83,10 @@ TEST(FrenetRoundTrip, JaggedStrandsConverge) {
     std::normal_distribution<double> normal;
     for (int trial = 0; trial < 3; ++trial) {
         std::vector<Vec3> points{Vec3::Zero()};
-        for (int i = 0; i < 30; ++i)
+        for (int i = 0; i < 30; ++i) {
             points.push_back(points.back() +
                              Vec3(1 + normal(random), normal(random), normal(random)));
+        }
         const Curve curve = *curve_through(points);
         const auto tip_error = [&](int n) {
             const auto strand = synthesize(analyze(curve, n, Vec3::UnitZ()));
@@ -96,8 +99,9 @@ TEST(FrenetRoundTrip, JaggedStrandsConverge) {
 TEST(FrenetRoundTrip, CoarseProfileOfAHelixLosesNoTurn) {
     // Six turns of a helix in 9 intervals: Omega ds = 2 pi 6 / 9 = 4.19 > pi.
     std::vector<Vec3> points;
-    for (int i = 0; i <= 400; ++i)
+    for (int i = 0; i <= 400; ++i) {
         points.push_back(helix(12 * kPi * i / 400, 1, -0.5).position);
+    }
     const FrenetProfile profile = analyze(*curve_through(points), 9, Vec3::UnitZ());
     // The spline is within h^2 = 0.01 of the curvature at its ends and far less inside.
     for (const FrenetRates& r : profile.rates) {

@@ -30,9 +30,10 @@ FrenetProfile random_profile(int n, double turn, unsigned seed) {
 /// The largest difference of the turns kappa ds and tau ds between two profiles.
 double turn_difference(const FrenetProfile& a, const FrenetProfile& b) {
     double worst = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t i = 0; i < a.size(); ++i) {
         worst = std::max(
             worst, (a.rates[i].darboux() - b.rates[i].darboux()).norm() * a.steps[i]);
+    }
     return worst;
 }
 
@@ -52,8 +53,9 @@ TEST(FrenetSerret, CircleClosesInSixSteps) {
     profile.rates.assign(6, {0.5, 0});
     const auto states = synthesize(profile);
     const Vec3 centre = states[0].position + 2 * states[0].frame.col(1);
-    for (const auto& state : states)
+    for (const auto& state : states) {
         EXPECT_NEAR((state.position - centre).norm(), 2, 1e-14);
+    }
     EXPECT_LT((states[6].position - states[0].position).norm(), 1e-14);
 }
 

@@ -74,8 +74,9 @@ TEST(OrderedExponential, AgreesWithItsSeriesToTheOrderKept) {
 }
 
 TEST(OrderedExponential, IsOrthogonalAfterAnyNumberOfSteps) {
-    for (const Mat3& u : ordered_exponential(wavy_profile(20000)).rotations)
+    for (const Mat3& u : ordered_exponential(wavy_profile(20000)).rotations) {
         ASSERT_LT((u.transpose() * u - Mat3::Identity()).cwiseAbs().maxCoeff(), 2e-15);
+    }
 }
 
 TEST(OrderedExponential, PlacedOnARootIsTheSynthesizedStrand) {

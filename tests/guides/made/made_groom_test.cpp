@@ -1,7 +1,7 @@
 #include "guides/made/made_groom.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>

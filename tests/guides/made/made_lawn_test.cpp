@@ -55,8 +55,9 @@ TEST(MadeLawn, BladesStandUpFromTheGroundAndStayAboveIt) {
 
 TEST(MadeLawn, AStrandDoesNotDependOnTheCount) {
     const MadeGroom few = make_lawn(lawn(50)), many = make_lawn(lawn(400));
-    for (std::size_t i = 0; i < few.strands.points.size(); ++i)
+    for (std::size_t i = 0; i < few.strands.points.size(); ++i) {
         EXPECT_EQ(few.strands.points[i], many.strands.points[i]);
+    }
     EXPECT_THROW(make_lawn(lawn(0)), std::invalid_argument);
 }
 

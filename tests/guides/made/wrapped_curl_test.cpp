@@ -12,8 +12,9 @@ namespace {
 Strands upright(int count) {
     Strands out;
     for (int i = 0; i < count; ++i) {
-        for (int j = 0; j < 12; ++j)
+        for (int j = 0; j < 12; ++j) {
             out.points.emplace_back(float(i), 0.0f, 10 * float(j) / 11);
+        }
         out.first.push_back(std::uint32_t(out.points.size()));
     }
     return out;

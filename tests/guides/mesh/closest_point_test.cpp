@@ -1,7 +1,7 @@
 #include "guides/mesh/closest_point.h"
 
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <limits>
 #include <random>

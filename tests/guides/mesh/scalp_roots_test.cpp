@@ -1,7 +1,7 @@
 #include "guides/mesh/scalp_roots.h"
 
 #include <gmock/gmock.h>
-#include <tbb/global_control.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>

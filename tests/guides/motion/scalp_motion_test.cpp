@@ -35,8 +35,9 @@ TriangleMesh head_at(int frame) {
 }
 
 ScalpMotion deforming(const TemporaryFolder& folder) {
-    for (int f = 0; f <= 6; ++f)
+    for (int f = 0; f <= 6; ++f) {
         write_obj(folder / fmt::format("h{}.obj", f), head_at(f));
+    }
     return MeshSequence({(folder / "h#.obj").string(), 0, 6, 1, kFps}, head());
 }
 

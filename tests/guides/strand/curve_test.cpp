@@ -106,8 +106,9 @@ TEST(Curve, PointsOnALineGiveTheLine) {
 TEST(Curve, RepeatedPointsChangeNothing) {
     const std::vector<Vec3> points = uneven_helix(12);
     std::vector<Vec3> repeated;
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t i = 0; i < points.size(); ++i) {
         repeated.insert(repeated.end(), 1 + i % 3, points[i]);
+    }
     repeated.push_back(points.back());
     const Curve a = *curve_through(points), b = *curve_through(repeated);
     EXPECT_EQ(a.knots, b.knots);
@@ -157,8 +158,9 @@ TEST(Curve, ArcLengthOfAParabolaIsItsClosedForm) {
     // Control points of y = x^2 on 0 <= x <= 1, as a B-spline of one piece: with x(t) =
     // t, y = t^2 the control points are (i - 1, (i - 1)^2 - 1/3).
     std::vector<Vec3> control;
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
         control.push_back({i - 1.0, (i - 1.0) * (i - 1.0) - 1 / 3.0, 0});
+    }
     const Curve curve = *bspline_curve(control);
     EXPECT_LT(evaluate(curve, 0).position.norm(), 1e-15);
     for (double x : {0.1, 0.5, 0.9, 1.0}) {
@@ -176,8 +178,9 @@ TEST(Curve, ArcLengthOfACircleConvergesAtOrderFour) {
     double previous = 0;
     for (int n : {64, 128, 256}) {
         std::vector<Vec3> points;
-        for (int i = 0; i <= n; ++i)
+        for (int i = 0; i <= n; ++i) {
             points.push_back({std::cos(5.0 * i / n), std::sin(5.0 * i / n), 0});
+        }
         const double error = std::abs(curve_through(points)->length() - 5);
         if (previous > 0) {
             const double order = std::log2(previous / error);

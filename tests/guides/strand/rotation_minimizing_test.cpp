@@ -80,8 +80,9 @@ TEST(RotationMinimizing, StraightStrandKeepsItsNormal) {
     for (int i = 0; i < 20; ++i) positions.push_back(0.1 * i * along);
     const Vec3 hint(0, 0, 5), normal = across_tangent(hint, along);
     EXPECT_LT((normal - (hint - along * along.z() * 5).normalized()).norm(), 1e-15);
-    for (const Mat3& f : rotation_minimizing_frames(positions, tangents, hint))
+    for (const Mat3& f : rotation_minimizing_frames(positions, tangents, hint)) {
         EXPECT_LT((f.col(1) - normal).norm(), 1e-14);
+    }
 }
 
 TEST(RotationMinimizing, PlanarStrandKeepsItsBinormalThroughAHairpin) {
@@ -90,8 +91,9 @@ TEST(RotationMinimizing, PlanarStrandKeepsItsBinormalThroughAHairpin) {
     const std::vector<Vec3> positions{{0, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}};
     for (const auto& frames :
          {rotation_minimizing_frames(positions, tangents, Vec3(0, 0, 1)),
-          rotation_minimizing_frames(tangents, Vec3(0, 0, 1))})
+          rotation_minimizing_frames(tangents, Vec3(0, 0, 1))}) {
         for (const Mat3& f : frames) EXPECT_NEAR(std::abs(f(2, 1)), 1, 1e-14);
+    }
 }
 
 TEST(RotationMinimizing, HintAlongTheTangentStillGivesANormal) {
