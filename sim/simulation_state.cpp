@@ -70,8 +70,9 @@ void validate(const Guides& rest) {
     for (const double l : rest.segment_lengths) {
         require(within(l, 1e-15), "Simulation: segment lengths must be above 0");
     }
-    for (const Vec3& k : rest.curvatures)
+    for (const Vec3& k : rest.curvatures) {
         require(k.allFinite(), "Simulation: curvatures must be finite");
+    }
 }
 
 }  // namespace

@@ -17,8 +17,9 @@ float min_radius(const Point4f& p, std::span<const Camera> cameras, float pixels
     float smallest = std::numeric_limits<float>::infinity();
     for (const Camera& camera : cameras) {
         const float depth = (Vec3f(p.x, p.y, p.z) - camera.position).dot(camera.view());
-        if (depth > 0)
+        if (depth > 0) {
             smallest = std::min(smallest, pixels * camera.tangent * depth / height);
+        }
     }
     return std::isfinite(smallest) ? smallest : 0;
 }

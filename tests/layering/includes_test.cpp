@@ -36,16 +36,19 @@ std::string layer_fault(const Include& include) {
         return include.file + ": \"" + include.name + "\" is not written from the root";
     }
     if (include.name.ends_with(".cpp")) return message;
-    if (include.name == kInterface)
+    if (include.name == kInterface) {
         return starts_any(include.file, kHosts) ? "" : message;
+    }
     const std::string from = folder_of(include.file), to = folder_of(include.name);
     const std::string top = top_of(include.file);
     if (from == to || std::ranges::count(kTestTops, top) > 0) return {};
-    if (top == "tools")
+    if (top == "tools") {
         return std::ranges::count(kTops, top_of(include.name)) > 0 ? "" : message;
+    }
     const Layer* layer = layer_of(from);
-    if (!layer)
+    if (!layer) {
         return include.file + ": its folder is not listed in tests/layering/layers.h";
+    }
     return has_word(layer->may_include, to) ? "" : message;
 }
 
@@ -101,8 +104,9 @@ std::set<std::string> reach_of(const std::string& path) {
         const auto file = std::ranges::find(source_tree(), next, &SourceFile::path);
         if (file == source_tree().end()) continue;
         for (const Include& include : includes_in(file->path, file->text)) {
-            if (include.quoted && out.insert(include.name).second)
+            if (include.quoted && out.insert(include.name).second) {
                 open.push_back(include.name);
+            }
         }
     }
     return out;
@@ -119,8 +123,9 @@ std::string grower_reached(const std::string& path) {
 TEST(Layering, TheTreeIsRead) {
     // So that a moved folder does not leave the tests below with nothing to look at.
     std::size_t includes = 0;
-    for (const SourceFile& file : source_tree())
+    for (const SourceFile& file : source_tree()) {
         includes += includes_in(file.path, file.text).size();
+    }
     EXPECT_GT(source_tree().size(), 500u);
     EXPECT_GT(includes, 2000u);
     for (const Layer& layer : kLayers) {

@@ -95,9 +95,26 @@ TEST(Shape, FunctionsAreFound) {
     EXPECT_EQ(found[1].line, 5u);
     EXPECT_EQ(found[1].lines, 5u);
     std::size_t all = 0;
-    for (const SourceFile& file : source_tree())
+    for (const SourceFile& file : source_tree()) {
         all += functions_in(file.path, file.text).size();
+    }
     EXPECT_GT(all, 1000u);
+}
+
+TEST(Shape, BodiesOnLinesOfTheirOwnHaveBraces) {
+    EXPECT_EQ(bare_bodies_in("if (x)\n    y();\n").size(), 1u);
+    EXPECT_EQ(bare_bodies_in("for (int i = 0;\n     i < f(1); ++i)\n    y();\n").size(),
+              1u);
+    EXPECT_EQ(bare_bodies_in("if (x) {\n    y();\n} else\n    z();\n").size(), 1u);
+    EXPECT_TRUE(
+        bare_bodies_in("if (x) y();\nif (f(\")\")) {\n}\nwhile (a &&\n       b) {\n}\n")
+            .empty());
+    for (const SourceFile& file : source_tree()) {
+        for (const std::size_t line : bare_bodies_in(file.text)) {
+            ADD_FAILURE() << file.path << ':' << line
+                          << ": the body of a condition or loop needs braces";
+        }
+    }
 }
 
 TEST(Shape, HeadersGuardThemselves) {

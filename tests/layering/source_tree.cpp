@@ -23,8 +23,10 @@ std::string read(const std::filesystem::path& path) {
 /// Whether a line in the first column may begin a function: not a comment, a macro or a
 /// closing brace, nor the start of a type, a namespace or a variable.
 bool may_begin_function(const std::string& line) {
-    if (line.empty() || std::string_view(" }#/)").find(line[0]) != std::string_view::npos)
+    if (line.empty() ||
+        std::string_view(" }#/)").find(line[0]) != std::string_view::npos) {
         return false;
+    }
     static const std::regex kOther(
         "^(namespace|struct|class|enum|union|extern|using|typedef|template|inline "
         "constexpr|constexpr [a-zA-Z0-9_:<>]+ "
@@ -87,6 +89,27 @@ std::vector<Function> functions_in(const std::string& file, const std::string& t
         } else if (!body && line.ends_with("}")) {
             begin = 0;  // on one line
         }
+    }
+    return out;
+}
+
+std::vector<std::size_t> bare_bodies_in(const std::string& text) {
+    static const std::regex kKeyword(R"re(\s*(\} )?(if|for|while|else)\b.*)re");
+    static const std::regex kLiterals(R"re("(\\.|[^"\\])*"|'(\\.|[^'\\])'|//.*)re");
+    std::vector<std::size_t> out;
+    std::istringstream stream(text);
+    std::string line;
+    std::ptrdiff_t open = 0;
+    bool condition = false;
+    for (std::size_t number = 1; std::getline(stream, line); ++number) {
+        if (!condition && !std::regex_match(line, kKeyword)) continue;
+        std::string code = std::regex_replace(line, kLiterals, "");
+        code.erase(code.find_last_not_of(' ') + 1);
+        open += std::ranges::count(code, '(') - std::ranges::count(code, ')');
+        condition = open > 0;
+        if (!condition && (code.ends_with(")") || code.ends_with("else")))
+            out.push_back(number);
+        if (!condition) open = 0;
     }
     return out;
 }

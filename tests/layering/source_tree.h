@@ -37,6 +37,10 @@ struct Function {
 /// column.
 std::vector<Function> functions_in(const std::string& file, const std::string& text);
 
+/// The lines of `text`, from 1, on which a condition or a loop ends without a brace, so
+/// that its body stands bare on the next line. A body on the same line needs none.
+std::vector<std::size_t> bare_bodies_in(const std::string& text);
+
 std::string folder_of(std::string_view path);  ///< without the file's name
 std::string top_of(std::string_view path);     ///< the first folder
 

@@ -153,8 +153,9 @@ std::vector<CurvePoint> arcs_with_a_stretch(int n) {
         out.push_back({state.position, state.frame.col(0),
                        (bends ? 1.0 : 0.0) * state.frame.col(1),
                        (bends ? -1.0 : 0.0) * state.frame.col(0)});
-        if (middle > 2 && middle - ds < 2)  // turn the plane, once
+        if (middle > 2 && middle - ds < 2) {  // turn the plane, once
             state.frame = state.frame * helix_step<double>(Vec3(1, 0, 0), 1).rotation;
+        }
         advance<double>(state, Vec3(0, 0, kappa), ds);
     }
     return out;

@@ -63,8 +63,9 @@ TEST(Denoise, AlmostKeepsPicturesOfManySamples) {
     Image image = ball.image(128, 0);
     const Image before = image;
     double estimated = 0;
-    for (const auto& variance : image.variance)
+    for (const auto& variance : image.variance) {
         estimated += double(variance.head<3>().sum());
+    }
     denoise(image);
     const double change = colour_error(image, before);
     EXPECT_LT(change, std::sqrt(estimated / 3 / double(image.rgba.size())));
