@@ -4,20 +4,21 @@ namespace lancret {
 
 namespace {
 
-enum class Shape { sphere, capsule, mesh };
-constexpr Named<Shape> kShapes[] = {
-    {Shape::sphere, "sphere"}, {Shape::capsule, "capsule"}, {Shape::mesh, "mesh"}};
+enum class ColliderShape { sphere, capsule, mesh };
+constexpr Named<ColliderShape> kColliderShapes[] = {{ColliderShape::sphere, "sphere"},
+                                                    {ColliderShape::capsule, "capsule"},
+                                                    {ColliderShape::mesh, "mesh"}};
 
 ColliderSettings read_collider(const TomlTable& table) {
     ColliderSettings out;
-    const auto shape = table.choice("shape", kShapes);
+    const auto shape = table.choice("shape", kColliderShapes);
     if (!shape) table.fail("", "a collider needs its 'shape'");
-    if (*shape == Shape::mesh) {
+    if (*shape == ColliderShape::mesh) {
         const auto file = table.path("file");
         if (!file) table.fail("shape", "a mesh needs its 'file'");
         out.shape = *file;
     } else {
-        const bool sphere = *shape == Shape::sphere;
+        const bool sphere = *shape == ColliderShape::sphere;
         Capsule body;
         assign_if(body.radius, table.number("radius", 1e-3, 1e4));
         assign_if(body.a, bounded_vector(table, sphere ? "centre" : "from"));

@@ -46,8 +46,8 @@ struct StoredFrames : testing::Test {
     std::filesystem::path path = folder / "cache.h5";
     std::filesystem::path frames = folder / "cache.h5.frames";
 
-    FrameStore store(const std::string& job = "job", bool anew = false) const {
-        return {path, {24, 41, "a.toml"}, job, guides_at(0), anew};
+    FrameStore store(const std::string& job = "job", bool restart = false) const {
+        return {path, {24, 41, "a.toml"}, job, guides_at(0), restart};
     }
     /// Continues a run up to `count` frames.
     static void run(FrameStore& store, int count) {
