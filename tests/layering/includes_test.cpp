@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <set>
+#include <span>
 
 #include "tests/layering/layers.h"
 #include "tests/layering/source_tree.h"
