@@ -13,22 +13,22 @@ std::string error_of(const lancret_source& source) {
     struct Call {
         const lancret_source* source;
         std::string error;
-    } call{&source, {}};
+    } job{&source, {}};
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
     pthread_attr_setstacksize(&attributes, 512 << 10);
     pthread_t thread;
     const auto work = [](void* user) -> void* {
-        Call& call = *static_cast<Call*>(user);
+        Call& job = *static_cast<Call*>(user);
         const lancret_host host = make_host(1);
         const auto context = make_context(&host);
-        call.error = open(context.get(), *call.source).error;
+        job.error = open(context.get(), *job.source).error;
         return nullptr;
     };
-    EXPECT_EQ(pthread_create(&thread, &attributes, work, &call), 0);
+    EXPECT_EQ(pthread_create(&thread, &attributes, work, &job), 0);
     pthread_join(thread, nullptr);
     pthread_attr_destroy(&attributes);
-    return call.error;
+    return job.error;
 }
 
 std::string error_of(const std::string& text) { return error_of(text_source(text)); }

@@ -13,7 +13,7 @@
 namespace lancret {
 namespace {
 
-ReadyGroom direct(const std::string& text) {
+ReadyGroom ready_groom_of(const std::string& text) {
     GroomSource source;
     source.text = text;
     return make_ready_groom(read_groom_source(source).groom);
@@ -52,7 +52,7 @@ struct OpenChunk {
 
 TEST(PluginScene, InfoHasBoxBasisAndShape) {
     const auto context = make_context();
-    const ReadyGroom ready = direct(kSmallGroom);
+    const ReadyGroom ready = ready_groom_of(kSmallGroom);
     const Eigen::AlignedBox3f box = guide_box(ready);
     const auto groom = opened(context.get(), kSmallGroom);
     const lancret_groom_info info = info_of(groom.get());
@@ -76,7 +76,7 @@ TEST(PluginScene, InfoHasBoxBasisAndShape) {
 TEST(PluginScene, TheHeadIsThatOfTheGroom) {
     const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom);
-    const ReadyGroom ready = direct(kSmallGroom);
+    const ReadyGroom ready = ready_groom_of(kSmallGroom);
     const TriangleMesh head = head_of(groom.get());
     const PlacedGuides& placed = ready.placed;
     const TriangleMesh& mesh = placed.body ? *placed.body : placed.scalp->mesh;
@@ -110,7 +110,7 @@ TEST(PluginScene, DescriptionIsJson) {
 TEST(PluginScene, FiguresAreThoseOfTheLibrary) {
     const auto context = make_context();
     const auto groom = opened(context.get(), kSmallGroom, 5000);  // one chunk
-    const ReadyGroom ready = direct(kSmallGroom);
+    const ReadyGroom ready = ready_groom_of(kSmallGroom);
     const ClassedGuides classed = rest_guides(ready);
     const Blend blend = ready.groom.expand.blend;
     const OpenChunk chunk(groom.get(), 0, make_options(LANCRET_BSPLINE));

@@ -5,14 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "procedural/roots/density.h"
+#include "tests/tools/reports.h"
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {
 namespace {
-
-nlohmann::json json_of(const std::string& file) {
-    return nlohmann::json::parse(read_bytes(file));
-}
 
 /// The number of points of strands with n intervals and n + `more` points each.
 std::size_t points_of(const nlohmann::json& classes, std::size_t more) {

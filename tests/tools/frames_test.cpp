@@ -6,6 +6,7 @@
 
 #include "guides/files/frame_store.h"
 #include "guides/files/hair_file.h"
+#include "tests/tools/reports.h"
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {
@@ -13,12 +14,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-auto works() { return testing::Field("exit code", &CommandRun::exit_code, 0); }
-
-nlohmann::json json_of(const std::string& file) {
-    return nlohmann::json::parse(read_bytes(file));
-}
 
 /// made.toml, and cache.h5 with its guides in frames 11 to 13, bent more in each.
 struct Bent : SmallGrooms {

@@ -16,6 +16,7 @@
 #include "guides/strand/curve.h"
 #include "render_test/image/image.h"
 #include "render_test/image/read_image.h"
+#include "tests/tools/reports.h"
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {
@@ -24,19 +25,15 @@ namespace {
 using testing::HasSubstr;
 
 /// A run that succeeded and printed nothing on stderr.
-testing::Matcher<const CommandRun&> works() {
+testing::Matcher<const CommandRun&> works_silently() {
     return testing::AllOf(testing::Field("exit code", &CommandRun::exit_code, 0),
                           testing::Field("stderr", &CommandRun::err, ""));
-}
-
-nlohmann::json json_of(const std::string& file) {
-    return nlohmann::json::parse(read_bytes(file));
 }
 
 TEST(Preview, PngShowsHairOnTheBackground) {
     const SmallGrooms folder;
     const std::string png = folder.at("a.png");
-    ASSERT_THAT(lancret({"preview", folder.made, "-o", png}), works());
+    ASSERT_THAT(lancret({"preview", folder.made, "-o", png}), works_silently());
     const Texture picture = read_texture(png);
     ASSERT_EQ(picture.width, 32);
     ASSERT_EQ(picture.height, 32);
@@ -57,7 +54,7 @@ TEST(Preview, ExrHasAllLayersInTheRequestedSize) {
         "wide.toml", read_bytes(folder.made) + "[width]\nroot = 0.1\ntip = 0.1\n");
     ASSERT_THAT(
         lancret({"preview", wide, "-o", exr, "--size", "24x16", "--samples", "4"}),
-        works());
+        works_silently());
     Imf::MultiPartInputFile file(exr.c_str());
     const Imath::Box2i window = file.header(0).dataWindow();
     ASSERT_EQ(window.max.x - window.min.x + 1, 24);
@@ -100,7 +97,7 @@ TEST(Preview, WritesADeepPictureForEachFrameOrView) {
     ASSERT_THAT(lancret({"preview", folder.made, "-o", folder.at("a.##.png"), "--deep",
                          folder.at("d.##.exr"), "--turntable", "2", "--size", "16x12",
                          "--samples", "2"}),
-                works());
+                works_silently());
     for (const char* name : {"d.01.exr", "d.02.exr"}) {
         const Imf::MultiPartInputFile file(folder.at(name).c_str());
         ASSERT_EQ(file.parts(), 1);
@@ -116,7 +113,7 @@ TEST(Preview, DenoisingChangesHairButNotTheBackground) {
                                        folder.at(name), "--size",    "16x12",
                                        "--samples",     "2"};
         words.insert(words.end(), more.begin(), more.end());
-        EXPECT_THAT(lancret(words), works());
+        EXPECT_THAT(lancret(words), works_silently());
         return read_texture(folder.at(name));
     };
     const Texture before = picture("a.png", {});
@@ -133,7 +130,7 @@ TEST(Preview, StatsHaveTimesCountsAndBytes) {
     const std::string json = folder.at("s.json");
     ASSERT_THAT(lancret({"preview", folder.made, "-o", folder.at("a.png"), "--intervals",
                          "10", "--stats", json}),
-                works());
+                works_silently());
     const nlohmann::json stats = json_of(json);
     for (const char* stage : {"load", "fit", "bind", "expand", "bvh", "render"}) {
         ASSERT_TRUE(stats.at("seconds").at(stage).is_number()) << stage;
@@ -153,7 +150,7 @@ TEST(Check, JsonHasEveryFigure) {
     const SmallGrooms folder;
     const std::string file = folder.at("r.json");
     const CommandRun run = lancret({"check", folder.made, "--json", file});
-    EXPECT_THAT(run, works());
+    EXPECT_THAT(run, works_silently());
     EXPECT_THAT(run.out, HasSubstr("PASS"));
     const nlohmann::json report = json_of(file);
     EXPECT_EQ(report.at("strands"), 60);
@@ -204,7 +201,7 @@ TEST(Expand, HairReadsBackWithPointsOnTheStrands) {
     const std::string file = folder.at("c.hair");
     ASSERT_THAT(lancret({"expand", folder.hair, "--scalp", folder.obj, "--strands", "50",
                          "--intervals", "64", "-o", file}),
-                works());
+                works_silently());
     const Strands strands = read_hair(file);
     ASSERT_EQ(strands.size(), 50u);
     EXPECT_EQ(strands.points.size(), 50u * 65u);
@@ -230,7 +227,7 @@ TEST(Expand, TextHasFourNumbersPerLineAndABlankLineBetweenStrands) {
     const SmallGrooms folder;
     const std::string file = folder.at("c.txt");
     ASSERT_THAT(lancret({"expand", folder.made, "--intervals", "5", "-o", file}),
-                works());
+                works_silently());
     std::istringstream text(read_bytes(file));
     std::size_t strands = 1, points = 0;
     for (std::string line; std::getline(text, line);) {
@@ -261,10 +258,10 @@ TEST(ExpandAndPreview, SameBytesOnOneCoreAsOnAll) {
         const std::string one = folder.at(std::string("one") + name);
         words.insert(words.begin(), LANCRET_COMMAND);
         words.push_back(all);
-        ASSERT_THAT(run_words(words), works());
+        ASSERT_THAT(run_words(words), works_silently());
         words.back() = one;
         words.insert(words.begin(), {"taskset", "-c", "0"});
-        ASSERT_THAT(run_words(words), works());
+        ASSERT_THAT(run_words(words), works_silently());
         EXPECT_EQ(read_bytes(all), read_bytes(one)) << name;
     };
     both(".hair", {"expand", folder.made, "-o"});
@@ -276,7 +273,7 @@ TEST(Expand, DependsOnTheSeed) {
     const auto bytes = [&](const char* seed) {
         const std::string file = folder.at("c.hair");
         EXPECT_THAT(lancret({"expand", folder.made, "--seed", seed, "-o", file}),
-                    works());
+                    works_silently());
         return read_bytes(file);
     };
     const std::string zero = bytes("0");
@@ -289,17 +286,17 @@ TEST(Fit, CacheContainsTheGuidesAndCanBeUsedAsAGroom) {
     const std::string cache = folder.at("g.h5");
     const CommandRun fit =
         lancret({"fit", folder.hair, "--guides", "9", "--segments", "5", "-o", cache});
-    ASSERT_THAT(fit, works());
+    ASSERT_THAT(fit, works_silently());
     EXPECT_THAT(fit.out, HasSubstr("9 guides of 5 segments from 25 strands"));
     const GuideCacheInfo info = guide_cache_info(cache);
     EXPECT_EQ(info.guides, 9u);
     EXPECT_EQ(info.segments, 5);
     EXPECT_THAT(lancret({"check", cache, "--scalp", folder.obj, "--strands", "40"}),
-                works());
+                works_silently());
     const std::string png = folder.at("a.png");
     EXPECT_THAT(lancret({"preview", cache, "--scalp", folder.obj, "--strands", "40",
                          "--size", "16x16", "--samples", "1", "-o", png}),
-                works());
+                works_silently());
     EXPECT_EQ(read_texture(png).width, 16);
     EXPECT_THAT(lancret({"fit", cache}), refuses_with("g.h5", "contains guides"));
 }
@@ -307,27 +304,28 @@ TEST(Fit, CacheContainsTheGuidesAndCanBeUsedAsAGroom) {
 TEST(Fit, PercentageOfTheStrandsBecomesGuides) {
     const SmallGrooms folder;
     const CommandRun run = lancret({"fit", folder.hair, "--guides", "20%"});
-    ASSERT_THAT(run, works());
+    ASSERT_THAT(run, works_silently());
     EXPECT_THAT(run.out, HasSubstr("5 guides of"));
 }
 
 TEST(Info, DescribesEachKindOfFile) {
     const SmallGrooms folder;
     const CommandRun hair = lancret({"info", folder.hair});
-    ASSERT_THAT(hair, works());
+    ASSERT_THAT(hair, works_silently());
     EXPECT_THAT(hair.out, HasSubstr("25 strands, 600 points"));
     EXPECT_THAT(hair.out, HasSubstr("points per strand: 24 to 24"));
     const CommandRun obj = lancret({"info", folder.obj});
-    ASSERT_THAT(obj, works());
+    ASSERT_THAT(obj, works_silently());
     EXPECT_THAT(obj.out, HasSubstr("16 vertices, 18 triangles, with UVs"));
     EXPECT_THAT(obj.out, HasSubstr("area: 16 cm^2"));
     const CommandRun made = lancret({"info", folder.made});
-    ASSERT_THAT(made, works());
+    ASSERT_THAT(made, works_silently());
     EXPECT_THAT(made.out, HasSubstr("60 children, blend detail"));
     const std::string cache = folder.at("g.h5");
-    ASSERT_THAT(lancret({"fit", folder.hair, "-o", cache, "--segments", "5"}), works());
+    ASSERT_THAT(lancret({"fit", folder.hair, "-o", cache, "--segments", "5"}),
+                works_silently());
     const CommandRun guides = lancret({"info", cache});
-    ASSERT_THAT(guides, works());
+    ASSERT_THAT(guides, works_silently());
     EXPECT_THAT(guides.out, HasSubstr("25 guides of 5 segments, 1 frames from 1"));
 }
 

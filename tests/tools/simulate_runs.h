@@ -3,15 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/tools/reports.h"
 #include "tests/tools/small_grooms.h"
 
 namespace lancret {
-
-inline auto works() { return testing::Field("exit code", &CommandRun::exit_code, 0); }
-
-inline nlohmann::json json_of(const std::string& file) {
-    return nlohmann::json::parse(read_bytes(file));
-}
 
 /// SmallGrooms with groom.toml: the made head, which turns and nods, gusts, and a body in
 /// the way of the hair.

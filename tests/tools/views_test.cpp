@@ -5,6 +5,7 @@
 
 #include "guides/files/frame_store.h"
 #include "render_test/image/contact_sheet.h"
+#include "tests/tools/reports.h"
 #include "tests/tools/small_grooms.h"
 #include "tests/tools/view_layers.h"
 
@@ -12,12 +13,6 @@ namespace lancret {
 namespace {
 
 using testing::HasSubstr;
-
-auto works() { return testing::Field("exit code", &CommandRun::exit_code, 0); }
-
-nlohmann::json json_of(const std::string& file) {
-    return nlohmann::json::parse(read_bytes(file));
-}
 
 /// Runs preview --view and returns the view from its --stats.
 nlohmann::json view_stats(const SmallGrooms& folder, std::vector<std::string> words) {

@@ -68,7 +68,8 @@ FittedGuide fit(const SampledCurve& target, const FitSettings& settings) {
     return fit_super_helix(target, Vec3::UnitX(), settings);
 }
 
-SampledCurve sampled(const std::function<Vec3(double)>& curve, int points, int samples) {
+SampledCurve samples_of(const std::function<Vec3(double)>& curve, int points,
+                        int samples) {
     std::vector<Vec3> p;
     for (int i = 0; i < points; ++i) p.push_back(curve(double(i) / (points - 1)));
     return resample(*curve_through(p), samples);
@@ -100,9 +101,9 @@ TEST(SuperHelixFit, ApproachesATwistedStrandUpToTheCostOfTwist) {
 
 TEST(SuperHelixFit, ReportsTheDistanceItReached) {
     const FitSettings settings{.segments = 3};
-    const SampledCurve target =
-        sampled([](double t) { return Vec3(10 * t, std::sin(6 * t), std::cos(5 * t)); },
-                60, fit_samples(settings));
+    const SampledCurve target = samples_of(
+        [](double t) { return Vec3(10 * t, std::sin(6 * t), std::cos(5 * t)); }, 60,
+        fit_samples(settings));
     const FittedGuide fitted = fit(target, settings);
     EXPECT_NEAR(fitted.report.rms / target.length, rms_of(fitted, target), 1e-12);
     EXPECT_EQ(fitted.report.length, target.length);
@@ -121,7 +122,7 @@ TEST(SuperHelixFit, ConvergesWithSegmentsOnASmoothCurve) {
     for (const int segments : {2, 4, 8, 16}) {
         const FitSettings settings{.segments = segments,
                                    .samples_per_segment = 64 / segments};
-        const SampledCurve target = sampled(
+        const SampledCurve target = samples_of(
             [](double t) {
                 return Vec3(12 * t, 2 * std::sin(5 * t), 1.5 * std::sin(4 * t + 1));
             },
@@ -139,8 +140,8 @@ TEST(SuperHelixFit, ConvergesWithSegmentsOnASmoothCurve) {
 TEST(SuperHelixFit, AStraightStrandIsStraight) {
     const FitSettings settings;
     const Vec3 direction = Vec3(1, -2, 0.5).normalized();
-    const SampledCurve target = sampled([&](double t) { return Vec3(7 * t * direction); },
-                                        10, fit_samples(settings));
+    const SampledCurve target = samples_of(
+        [&](double t) { return Vec3(7 * t * direction); }, 10, fit_samples(settings));
     for (const Vec3& hint : {Vec3(Vec3::UnitX()), direction}) {
         const FittedGuide fitted = fit_super_helix(target, hint, settings);
         EXPECT_LT(rms_of(fitted, target), 1e-7);
@@ -154,7 +155,7 @@ TEST(SuperHelixFit, AStraightStrandIsStraight) {
 TEST(SuperHelixFit, FollowsACurl) {
     // Five turns of radius 0.5 cm in 16 segments: two radians each, a helix throughout.
     const FitSettings settings{.segments = 16};
-    const SampledCurve target = sampled(
+    const SampledCurve target = samples_of(
         [](double t) {
             const double a = 10 * kPi * t;
             return Vec3(0.5 * std::cos(a), 0.5 * std::sin(a), -10 * t);

@@ -1,4 +1,5 @@
 #include "guides/frenet/constant_helicity.h"
+#include "tests/guides/frenet/frenet_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +7,6 @@
 
 namespace lancret {
 namespace {
-
-HelixState<double> skew_root() {
-    return {helix_step<double>(Vec3(0.3, -1.1, 0.7), 1).rotation, Vec3(1, -2, 3)};
-}
 
 /// kappa = 1.2 + 0.9 sin(2 s), so q = 1.2 s + 0.45 (1 - cos(2 s)).
 ConstantHelicity wavy(double helicity) {

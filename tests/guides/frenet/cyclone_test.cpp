@@ -1,4 +1,5 @@
 #include "guides/frenet/cyclone.h"
+#include "tests/guides/frenet/frenet_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +7,6 @@
 
 namespace lancret {
 namespace {
-
-HelixState<double> skew_root() {
-    return {helix_step<double>(Vec3(0.3, -1.1, 0.7), 1).rotation, Vec3(1, -2, 3)};
-}
 
 const std::vector<Cyclone> kCyclones{{0.5, 0.15, 0.3, 8},   // opens
                                      {2.0, -0.2, -0.6, 8},  // closes, left-handed

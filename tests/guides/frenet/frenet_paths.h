@@ -7,8 +7,14 @@
 #include <vector>
 
 #include "guides/frenet/frenet_analysis.h"
+#include "guides/helix/helix.h"
 
 namespace lancret {
+
+/// A root that is aligned with no axis.
+inline HelixState<double> skew_root() {
+    return {helix_step<double>(Vec3(0.3, -1.1, 0.7), 1).rotation, Vec3(1, -2, 3)};
+}
 
 using Path = std::function<CurvePoint(double)>;
 

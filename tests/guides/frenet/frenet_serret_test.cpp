@@ -1,4 +1,5 @@
 #include "guides/frenet/frenet_serret.h"
+#include "tests/guides/frenet/frenet_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +11,6 @@ namespace lancret {
 namespace {
 
 /// A root frame without zeros.
-HelixState<double> skew_root() {
-    return {helix_step<double>(Vec3(0.3, -1.1, 0.7), 1).rotation, Vec3(1, -2, 3)};
-}
-
 /// A profile of n random helices; each turns by at most `turn`.
 FrenetProfile random_profile(int n, double turn, unsigned seed) {
     std::mt19937 random(seed);

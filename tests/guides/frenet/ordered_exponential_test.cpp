@@ -1,4 +1,5 @@
 #include "guides/frenet/ordered_exponential.h"
+#include "tests/guides/frenet/frenet_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +14,6 @@ Mat3 q_matrix(const FrenetRates& r) {
     Mat3 q;
     q << 0, r.curvature, 0, -r.curvature, 0, r.torsion, 0, -r.torsion, 0;
     return q;
-}
-
-HelixState<double> skew_root() {
-    return {helix_step<double>(Vec3(0.3, -1.1, 0.7), 1).rotation, Vec3(1, -2, 3)};
 }
 
 FrenetProfile wavy_profile(int n) {

@@ -12,16 +12,17 @@ namespace {
 
 using test::MadeChild;
 
-constexpr int kCount = 48;
+constexpr int kMotionIntervals = 48;
 
 /// A child and its guides at one time.
 struct Made {
     GuideProfiles<double> profiles;
     MadeChild<double> child;
-    std::vector<HelixState<double>> states{kCount + 1};
+    std::vector<HelixState<double>> states{kMotionIntervals + 1};
 
     Made(const Guides& guides, const std::vector<double>& weights)
-        : profiles(guide_profiles<double>(guides, kCount)), child(profiles, weights) {
+        : profiles(guide_profiles<double>(guides, kMotionIntervals)),
+          child(profiles, weights) {
         blend_detail<double>(child.child(), profiles, states);
     }
 };
@@ -33,7 +34,7 @@ struct Motion {
 
 Motion motion(const Made& a, const Made& b) {
     Motion out;
-    for (int i = 0; i <= kCount; ++i) {
+    for (int i = 0; i <= kMotionIntervals; ++i) {
         out.child =
             std::max(out.child, (a.states[i].position - b.states[i].position).norm());
     }

@@ -9,18 +9,18 @@ namespace {
 
 using test::MadeChild;
 
-constexpr int kCount = 240;
-constexpr double kLength = 20;
+constexpr int kAnchorIntervals = 240;
+constexpr double kAnchoredLength = 20;
 
 /// Appends a helix of `turns` turns about `axis`, with the given pitch angle to it.
 void add_curl(Guides& guides, const Vec3& axis, double turns, double pitch,
               double phase) {
-    const double omega = 2 * kPi * turns / kLength;
+    const double omega = 2 * kPi * turns / kAnchoredLength;
     const Vec3 u(omega * std::cos(pitch), 0, omega * std::sin(pitch));
     // The root frame for which the Darboux vector is along the axis, rolled by the phase.
     const Mat3 frame = Eigen::AngleAxisd(phase, axis.normalized()) *
                        Eigen::Quaterniond::FromTwoVectors(u, axis).toRotationMatrix();
-    test::add_guide(guides, std::vector<Vec3>(12, u), kLength, frame);
+    test::add_guide(guides, std::vector<Vec3>(12, u), kAnchoredLength, frame);
 }
 
 struct Shape {
@@ -30,15 +30,15 @@ struct Shape {
 
 Shape shape_of(BlendFunction<double> blend, const Guides& guides,
                const std::vector<double>& weights) {
-    const auto profiles = guide_profiles<double>(guides, kCount);
+    const auto profiles = guide_profiles<double>(guides, kAnchorIntervals);
     const MadeChild<double> made(profiles, weights);
-    std::vector<HelixState<double>> states(kCount + 1);
+    std::vector<HelixState<double>> states(kAnchorIntervals + 1);
     blend(made.child(), profiles, states);
-    Shape out{states[kCount].position, 0};
-    for (int i = 0; i < kCount; ++i) {
+    Shape out{states[kAnchorIntervals].position, 0};
+    for (int i = 0; i < kAnchorIntervals; ++i) {
         const Mat3 turn = states[i].frame.transpose() * states[i + 1].frame;
-        const Vec3 u = rotation_log<double>(turn) * (kCount / made.length);
-        out.kappa += std::hypot(u.y(), u.z()) / kCount;
+        const Vec3 u = rotation_log<double>(turn) * (kAnchorIntervals / made.length);
+        out.kappa += std::hypot(u.y(), u.z()) / kAnchorIntervals;
     }
     return out;
 }
@@ -50,15 +50,15 @@ TEST(Detail, KeepsPositionAndCurlOfCurlsOfDifferentPhase) {
     Guides guides;
     add_curl(guides, Vec3(1, 0.2, 0), turns, pitch, 0);
     add_curl(guides, Vec3(1, -0.2, 0), turns, pitch, kPi);
-    const double kappa = 2 * kPi * turns / kLength * std::sin(pitch);
+    const double kappa = 2 * kPi * turns / kAnchoredLength * std::sin(pitch);
     const Shape position = shape_of(blend_position<double>, guides, {0.6, 0.4});
     const Shape detail = shape_of(blend_detail<double>, guides, {0.6, 0.4});
     EXPECT_NEAR(detail.kappa / kappa, 1, 0.01);
     // The spine keeps the mean of the guides' advances, cos(pitch), while averaged
     // positions lose the cosine of the axes' angle to the mean: 1 - 0.2^2 / 2.
-    EXPECT_NEAR(detail.chord.norm() / kLength, std::cos(pitch), 0.01);
+    EXPECT_NEAR(detail.chord.norm() / kAnchoredLength, std::cos(pitch), 0.01);
     EXPECT_LT((detail.chord.normalized() - position.chord.normalized()).norm(), 0.01);
-    EXPECT_LT((detail.chord - position.chord).norm(), 0.03 * kLength);
+    EXPECT_LT((detail.chord - position.chord).norm(), 0.03 * kAnchoredLength);
 }
 
 TEST(Detail, AdvancesAsFastAsTheMeanOfItsGuides) {
@@ -73,9 +73,9 @@ TEST(Detail, AdvancesAsFastAsTheMeanOfItsGuides) {
         // The softening shortens the change from the guide's cosine to the mean, 0.13, by
         // 0.05 / (1 - a c), a tenth: 0.013. The curl's contribution to the spine,
         // sin(pitch) / (10 pi), moves the advance by as much again.
-        EXPECT_NEAR(detail.chord.norm() / kLength, mean, 0.025);
+        EXPECT_NEAR(detail.chord.norm() / kAnchoredLength, mean, 0.025);
         EXPECT_GT(std::abs(shape_of(blend_nearest<double>, guides, weights).chord.norm() /
-                               kLength -
+                               kAnchoredLength -
                            mean),
                   0.1);
     }
@@ -85,12 +85,13 @@ TEST(Anchor, LeavesAStrandUnchangedIfItsGuidesAgree) {
     // Guides that differ only in their roots: all weights give the same strand.
     Guides guides;
     for (int g = 0; g < 3; ++g) add_curl(guides, Vec3(1, 0.3, 0), 7.3, 0.7, 0.4);
-    const auto profiles = guide_profiles<double>(guides, kCount);
+    const auto profiles = guide_profiles<double>(guides, kAnchorIntervals);
     const MadeChild<double> made(profiles, {0.2, 0.5, 0.3});
-    std::vector<HelixState<double>> states(kCount + 1), copy(kCount + 1);
+    std::vector<HelixState<double>> states(kAnchorIntervals + 1),
+        copy(kAnchorIntervals + 1);
     blend_nearest<double>(made.child(), profiles, copy);
     blend_detail<double>(made.child(), profiles, states);
-    for (int i = 0; i <= kCount; ++i) {
+    for (int i = 0; i <= kAnchorIntervals; ++i) {
         EXPECT_LT((states[i].position - copy[i].position).norm(), 1e-10);
     }
 }

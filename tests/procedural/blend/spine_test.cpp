@@ -7,17 +7,17 @@
 namespace lancret {
 namespace {
 
-constexpr double kLength = 12;
+constexpr double kSpineLength = 12;
 
 /// The spine of a helix with the Darboux vector u.
 Spine<double> helix_spine(const Vec3& u, int count) {
     std::vector<Vec3> places;
     for (int i = 0; i <= count; ++i) {
         HelixState<double> state;
-        advance<double>(state, u, kLength * i / count);
+        advance<double>(state, u, kSpineLength * i / count);
         places.push_back(state.position);
     }
-    return spine_of<double>(spine_basis<double>(count), kLength,
+    return spine_of<double>(spine_basis<double>(count), kSpineLength,
                             [&](std::size_t i) { return places[i]; });
 }
 
@@ -38,13 +38,13 @@ TEST(Spine, FollowsAnArcToTheThirdOrder) {
     // T = (cos x, sin x) over x in [-a, a] about its middle: degrees 0 to 3 omit the next
     // term of the Taylor series, x^4 / 24, of which at most 8 / 35 remain at the ends.
     const double a = 0.5;
-    const Vec3 u(0, 0, 2 * a / kLength);
+    const Vec3 u(0, 0, 2 * a / kSpineLength);
     const int n = 400;
     const auto basis = spine_basis<double>(n);
     const Spine<double> spine = helix_spine(u, n);
     for (int i = 0; i <= n; i += 50) {
         HelixState<double> state;
-        advance<double>(state, u, kLength * i / n);
+        advance<double>(state, u, kSpineLength * i / n);
         const Vec3 tangent = spine_at(spine, spine_taper(10.0), basis.at_places[i]);
         EXPECT_LT((tangent - state.frame.col(0)).norm(), a * a * a * a / 24 + 1e-4);
     }
@@ -54,7 +54,7 @@ TEST(Spine, AdvanceOfAHelixIsTheCosineOfItsPitchAngle) {
     // The part of a helix of N turns across its axis contributes at most (2 j + 1) / (pi
     // N) times the sine to degree j.
     const double turns = 20, pitch = 0.6;
-    const double omega = 2 * kPi * turns / kLength;
+    const double omega = 2 * kPi * turns / kSpineLength;
     const Vec3 u(omega * std::cos(pitch), 0, omega * std::sin(pitch));
     const Spine<double> spine = helix_spine(u, 2000);
     EXPECT_NEAR(spine.terms[0].norm(), std::cos(pitch), 1e-4);

@@ -93,7 +93,7 @@ TEST(Chunks, OfNoChildrenAreNone) {
                  std::invalid_argument);
 }
 
-GroomSettings small_groom() {
+GroomSettings groom_to_cut() {
     GroomSettings groom;
     groom.name = "small";
     groom.made.strands = 40;
@@ -137,14 +137,14 @@ void expect_chunks_of_the_whole(const GroomSettings& groom) {
 
 TEST(Chunks, HaveTheBitsOfTheWhole) {
     for (const Blend blend : {Blend::detail, Blend::option1}) {
-        GroomSettings groom = small_groom();
+        GroomSettings groom = groom_to_cut();
         groom.expand.blend = blend;
         expect_chunks_of_the_whole(groom);
     }
 }
 
 TEST(Chunks, HaveTheBitsOfTheWholeAtAnyDensity) {
-    GroomSettings groom = small_groom();
+    GroomSettings groom = groom_to_cut();
     groom.density = 0.2;
     expect_chunks_of_the_whole(groom);
 }
@@ -291,7 +291,7 @@ ChunkBox reach_of(const ChunkedGroom& groom, std::size_t chunk) {
 
 TEST(ChunkBox, ReachHoldsTheChunkForEveryBlend) {
     for (const BlendTraits& named : blends()) {
-        GroomSettings groom = small_groom();
+        GroomSettings groom = groom_to_cut();
         groom.expand.blend = named.blend;
         groom.intervals = 8;  // few, so that control points stray far from places
         groom.density = 0.5;

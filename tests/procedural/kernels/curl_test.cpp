@@ -12,10 +12,9 @@
 namespace lancret {
 namespace {
 
+using test::kHalfUlp;
 using test::MadeHair;
 using test::on_every_target;
-
-constexpr double kHalfUlp = 0x1p-24;
 
 /// Maximum error of a frame after n intervals, radian: the quaternion's product, the step
 /// and the normalisation round about 12 times each, and a rotation is twice its

@@ -9,6 +9,10 @@
 
 namespace lancret::test {
 
+/// Half a unit in the last place of a float in [1, 2): the relative error of one
+/// rounding.
+inline constexpr double kHalfUlp = 0x1p-24;
+
 /// Calls test() once per instruction set, including the one with a single lane.
 template <class Test>
 void on_every_target(Test&& test) {

@@ -8,10 +8,9 @@
 namespace lancret {
 namespace {
 
+using test::kHalfUlp;
 using test::MadeHair;
 using test::on_every_target;
-
-constexpr double kHalfUlp = 0x1p-24;
 
 Vec3 place(const Point4f& p) { return p.xyz().cast<double>(); }
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Ball {
+struct DeepBall {
     Curves curves = hairy_sphere(1500, 8, 0.03f);
     TriangleMesh mesh = sphere_mesh(32, 16);
     std::vector<float> true_radii;
@@ -32,7 +32,7 @@ struct Ball {
     float cut = camera.focus_distance - 10;
     RenderSettings settings;
 
-    Ball() {
+    DeepBall() {
         scene.geometry = &geometry;
         scene.lights = default_lights(camera.view(), Vec3f::UnitY());
         settings.width = 40, settings.height = 31, settings.samples = 16;
@@ -53,7 +53,7 @@ Eigen::Vector4f flattened(std::span<const DeepPoint> points) {
     return out;
 }
 
-fs::path written(const Image& image) {
+fs::path written_deep(const Image& image) {
     const fs::path path = fs::path(testing::TempDir()) / "lancret_deep.exr";
     write_deep_exr(path, image);
     return path;
@@ -111,7 +111,7 @@ float half_bound(float value, std::size_t samples) {
 }
 
 void expect_flat(const Image& image, std::size_t least_of_most) {
-    const auto deep = read_deep(written(image));
+    const auto deep = read_deep(written_deep(image));
     std::size_t most = 0;
     for (std::size_t i = 0; i < deep.size(); ++i) {
         const Eigen::Vector4f flat = flattened(deep[i]);
@@ -124,10 +124,10 @@ void expect_flat(const Image& image, std::size_t least_of_most) {
     EXPECT_GE(most, least_of_most);
 }
 
-TEST(ImageDeep, FlattensToThePicture) { expect_flat(Ball().image(), 5); }
+TEST(ImageDeep, FlattensToThePicture) { expect_flat(DeepBall().image(), 5); }
 
 TEST(ImageDeep, FlattensToThePictureOfThinStrands) {
-    Ball ball;
+    DeepBall ball;
     ball.thin();
     const Image image = ball.image();
     int partly = 0;
@@ -137,8 +137,8 @@ TEST(ImageDeep, FlattensToThePictureOfThinStrands) {
 }
 
 TEST(ImageDeep, SamplesAreTidy) {
-    const Image image = Ball().image();
-    for (const auto& pixel : read_deep(written(image))) {
+    const Image image = DeepBall().image();
+    for (const auto& pixel : read_deep(written_deep(image))) {
         for (std::size_t s = 0; s < pixel.size(); ++s) {
             EXPECT_TRUE(pixel[s].rgba.allFinite());
             EXPECT_GT(pixel[s].depth, s > 0 ? pixel[s - 1].depth : 0.0f);
@@ -150,10 +150,10 @@ TEST(ImageDeep, SamplesAreTidy) {
 }
 
 TEST(ImageDeep, TwoHalvesAtADepthComposeToTheWhole) {
-    const Ball ball;
+    const DeepBall ball;
     const Image image = ball.image();
     int parted = 0;
-    for (const auto& pixel : read_deep(written(image))) {
+    for (const auto& pixel : read_deep(written_deep(image))) {
         std::vector<DeepPoint> near, far;
         for (const DeepPoint& p : pixel) (p.depth < ball.cut ? near : far).push_back(p);
         parted += !near.empty() && !far.empty();
@@ -167,9 +167,9 @@ TEST(ImageDeep, TwoHalvesAtADepthComposeToTheWhole) {
 }
 
 TEST(ImageDeep, PointsInFrontOfACardKeepTheirCoverage) {
-    const Ball ball;
+    const DeepBall ball;
     const Image image = ball.image();
-    const auto deep = read_deep(written(image));
+    const auto deep = read_deep(written_deep(image));
     for (std::size_t i = 0; i < deep.size(); ++i) {
         float before = 0;
         for (const DeepSample& s : image.deep[i]) {
@@ -184,7 +184,7 @@ TEST(ImageDeep, PointsInFrontOfACardKeepTheirCoverage) {
 }
 
 TEST(ImageDeep, SameBitsForAnyNumberOfThreads) {
-    const Ball ball;
+    const DeepBall ball;
     const auto with_threads = [&](std::size_t threads) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                           threads);

@@ -12,8 +12,8 @@
 namespace lancret {
 namespace {
 
-struct Ball : HairyBall {
-    Ball() : HairyBall(48, 48, 1, 6000, 0.02f) { settings.channels.variance = true; }
+struct NoisyBall : HairyBall {
+    NoisyBall() : HairyBall(48, 48, 1, 6000, 0.02f) { settings.channels.variance = true; }
     Image image(int samples, std::uint64_t seed) {
         settings.samples = samples, settings.seed = seed;
         return HairyBall::image();
@@ -36,7 +36,7 @@ double light(const Image& image) {
 }
 
 TEST(Denoise, ReducesTheErrorOfAFewSamplesAndKeepsTheLight) {
-    Ball ball;
+    NoisyBall ball;
     const Image reference = ball.image(256, 1000);
     double noisy = 0, cleaned = 0, before = 0, after = 0;
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
@@ -59,7 +59,7 @@ TEST(Denoise, ReducesTheErrorOfAFewSamplesAndKeepsTheLight) {
 TEST(Denoise, AlmostKeepsPicturesOfManySamples) {
     // Little noise leaves little to remove: the error added by the filter is at most that
     // of the given noise.
-    Ball ball;
+    NoisyBall ball;
     Image image = ball.image(128, 0);
     const Image before = image;
     double estimated = 0;
@@ -104,7 +104,7 @@ TEST(Denoise, KeepsWhatTheGuidesExplain) {
 }
 
 TEST(Denoise, NoNoiseIsNoChange) {
-    Ball ball;
+    NoisyBall ball;
     Image image = ball.image(2, 0);
     for (auto& variance : image.variance) variance.setZero();
     const Image before = image;
@@ -117,7 +117,7 @@ TEST(Denoise, NoNoiseIsNoChange) {
 }
 
 TEST(Denoise, KeepsCoverageAndAddsNoLightWithoutIt) {
-    Ball ball;
+    NoisyBall ball;
     Image image = ball.image(4, 3);
     const Image before = image;
     denoise(image);
@@ -134,7 +134,7 @@ TEST(Denoise, KeepsCoverageAndAddsNoLightWithoutIt) {
 }
 
 TEST(Denoise, SameBitsForAnyNumberOfThreads) {
-    Ball ball;
+    NoisyBall ball;
     const Image noisy = ball.image(2, 0);
     const auto with_threads = [&](std::size_t threads) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism,

@@ -52,7 +52,7 @@ Image full_image() {
     return image;
 }
 
-fs::path written(const Image& image) {
+fs::path written_parts(const Image& image) {
     const fs::path path = fs::path(testing::TempDir()) / "lancret_parts.exr";
     write_image(path, image);
     return path;
@@ -80,7 +80,7 @@ std::map<std::string, int> parts_of(const Imf::MultiPartInputFile& file) {
 
 TEST(ImageExr, AMinimalPictureHasFivePartsAndColourFirst) {
     const Image image = small_image();
-    const Imf::MultiPartInputFile file(written(image).c_str());
+    const Imf::MultiPartInputFile file(written_parts(image).c_str());
     auto parts = parts_of(file);
     ASSERT_EQ(file.parts(), 5);
     EXPECT_EQ(file.header(0).name(), "rgba");
@@ -106,7 +106,7 @@ TEST(ImageExr, AMinimalPictureHasFivePartsAndColourFirst) {
 }
 
 TEST(ImageExr, AFullPictureHasNineParts) {
-    const Imf::MultiPartInputFile file(written(full_image()).c_str());
+    const Imf::MultiPartInputFile file(written_parts(full_image()).c_str());
     auto parts = parts_of(file);
     EXPECT_EQ(file.parts(), 9);
     EXPECT_EQ(channel(file, parts["motion"], "motion.X")[4], 3);
@@ -115,7 +115,7 @@ TEST(ImageExr, AFullPictureHasNineParts) {
 }
 
 TEST(ImageExr, CryptomatteRanksIdsByTheirShare) {
-    const Imf::MultiPartInputFile file(written(full_image()).c_str());
+    const Imf::MultiPartInputFile file(written_parts(full_image()).c_str());
     auto parts = parts_of(file);
     const auto object = [&](const char* name) {
         return channel(file, parts["CryptoObject"], name)[7];
@@ -137,7 +137,7 @@ TEST(ImageExr, CryptomatteRanksIdsByTheirShare) {
 }
 
 TEST(ImageExr, TheFirstPartDescribesEveryCryptomatte) {
-    const Imf::MultiPartInputFile file(written(full_image()).c_str());
+    const Imf::MultiPartInputFile file(written_parts(full_image()).c_str());
     const auto text = [&](const char* key) {
         const auto* found = file.header(0).findTypedAttribute<Imf::StringAttribute>(key);
         return found ? found->value() : "missing";

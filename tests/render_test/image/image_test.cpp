@@ -22,7 +22,7 @@ fs::path fresh_folder(const char* name) {
     return folder;
 }
 
-Image small_image() {
+Image tiny_image() {
     Image image(5, 3);
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
         const float x = float(i);
@@ -37,7 +37,7 @@ Image small_image() {
 
 TEST(Image, PngComesBackWithinHalfAStepOfItsCode) {
     const fs::path path = fresh_folder("lancret_png") / "a.png";
-    const Image image = small_image();
+    const Image image = tiny_image();
     const Vec3f background(0.1f, 0.2f, 0.3f);
     write_image(path, image, background);
     const Texture map = read_texture(path);
@@ -64,7 +64,7 @@ TEST(Image, PngWithAlphaIsNotPremultiplied) {
 
 TEST(Image, FloatPicturesAreReadUnchanged) {
     const fs::path path = fresh_folder("lancret_float") / "a.exr";
-    const Image image = small_image();
+    const Image image = tiny_image();
     write_image(path, image);
     const Texture map = read_texture(path);
     for (std::size_t i = 0; i < 15; ++i) {
@@ -74,10 +74,10 @@ TEST(Image, FloatPicturesAreReadUnchanged) {
 
 TEST(Image, NothingIsLeftBesideTheFile) {
     const fs::path folder = fresh_folder("lancret_beside");
-    write_image(folder / "a.exr", small_image());
-    write_image(folder / "a.png", small_image());
+    write_image(folder / "a.exr", tiny_image());
+    write_image(folder / "a.png", tiny_image());
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2);
-    EXPECT_THROW(write_image(folder / "none" / "a.exr", small_image()), InputError);
+    EXPECT_THROW(write_image(folder / "none" / "a.exr", tiny_image()), InputError);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2);
 }
 
@@ -91,7 +91,7 @@ std::string message(const std::function<void()>& call) {
 }
 
 TEST(Image, OtherExtensionsAreRefusedWithThoseAllowed) {
-    EXPECT_EQ(message([] { write_image("a.jpg", small_image()); }),
+    EXPECT_EQ(message([] { write_image("a.jpg", tiny_image()); }),
               "a.jpg: cannot write pictures of extension '.jpg', expected .exr or .png");
 }
 
@@ -107,7 +107,7 @@ TEST(Image, FilesOtherThanPicturesAreRefused) {
     EXPECT_THROW(read_texture(text), InputError);
     // A truncated image.
     const fs::path whole = folder / "b.exr", cut = folder / "c.exr";
-    write_image(whole, small_image());
+    write_image(whole, tiny_image());
     fs::copy_file(whole, cut);
     fs::resize_file(cut, fs::file_size(whole) / 2);
     EXPECT_THROW(read_texture(cut), InputError);
@@ -115,7 +115,7 @@ TEST(Image, FilesOtherThanPicturesAreRefused) {
 
 TEST(Image, NanInATextureIsRefusedWithItsPlace) {
     const fs::path path = fresh_folder("lancret_nan") / "a.exr";
-    Image image = small_image();
+    Image image = tiny_image();
     image.rgba[7].x() = std::numeric_limits<float>::quiet_NaN();
     write_image(path, image);
     EXPECT_EQ(message([&] { read_texture(path); }),

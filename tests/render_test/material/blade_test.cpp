@@ -12,7 +12,7 @@ BladeMaterial blade(float translucency, std::optional<float> coat = {}) {
     return {.translucency = translucency, .coat_roughness = coat};
 }
 
-Vec3f viewer(float angle) { return {std::sin(angle), 0, std::cos(angle)}; }
+Vec3f blade_viewer(float angle) { return {std::sin(angle), 0, std::cos(angle)}; }
 
 TEST(Blade, WhiteWithoutACoatScattersAllLightWithWeightOne) {
     // Value over density is the colour times (1 - t) / (1 - t): two products and a
@@ -20,7 +20,7 @@ TEST(Blade, WhiteWithoutACoatScattersAllLightWithWeightOne) {
     Random random{std::mt19937(1)};
     for (const float t : {0.0f, 0.3f, 1.0f}) {
         for (int i = 0; i < 2000; ++i) {
-            const Blade surface(blade(t), Vec3f::Ones(), viewer(1.5f * random()));
+            const Blade surface(blade(t), Vec3f::Ones(), blade_viewer(1.5f * random()));
             const float pick = random();
             const auto s = surface.sample(pick, 0, random.pair());
             ASSERT_TRUE(s);
@@ -31,7 +31,7 @@ TEST(Blade, WhiteWithoutACoatScattersAllLightWithWeightOne) {
 
 TEST(Blade, LeavesOnEitherSideByItsTranslucency) {
     // Colour 0.8, 0.3 of it transmitted: 0.56 and 0.24, by uniform directions.
-    const Blade surface(blade(0.3f), Vec3f::Constant(0.8f), viewer(0.5f));
+    const Blade surface(blade(0.3f), Vec3f::Constant(0.8f), blade_viewer(0.5f));
     Random random{std::mt19937(2)};
     Mean near, far;
     for (int i = 0; i < 100000; ++i) {
@@ -47,7 +47,8 @@ TEST(Blade, LeavesOnEitherSideByItsTranslucency) {
 TEST(Blade, GainsNoEnergyAndSamplingAgreesUnderACoat) {
     for (const float roughness : {0.3f, 0.7f}) {
         for (const float angle : {0.0f, 0.8f, 1.45f}) {
-            const Blade surface(blade(0.4f, roughness), Vec3f::Ones(), viewer(angle));
+            const Blade surface(blade(0.4f, roughness), Vec3f::Ones(),
+                                blade_viewer(angle));
             Random random{std::mt19937(3)};
             Mean chosen, uniform;
             for (int i = 0; i < 100000; ++i) {
@@ -88,7 +89,7 @@ TEST(Blade, SampledDirectionsFollowTheDensity) {
     // counted by the density's deficit to one. Three tests, each wrong once in 1000.
     unsigned seed = 5;
     for (const auto& material : {blade(0.5f), blade(0.35f, 0.5f), blade(1, 0.8f)}) {
-        const Blade surface(material, Vec3f::Constant(0.6f), viewer(0.9f));
+        const Blade surface(material, Vec3f::Constant(0.6f), blade_viewer(0.9f));
         Random random{std::mt19937(seed++)};
         SphereBins bins(24, 48);
         constexpr int kCount = 60000;

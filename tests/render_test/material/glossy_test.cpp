@@ -18,7 +18,7 @@ MeshMaterial coated(float roughness, const Vec3f& colour) {
     return material;
 }
 
-Vec3f viewer(float angle) {
+Vec3f glossy_viewer(float angle) {
     return {0.6f * std::sin(angle), 0.8f * std::sin(angle), std::cos(angle)};
 }
 
@@ -29,7 +29,7 @@ TEST(Glossy, SampledDirectionsFollowTheDensityWithinTheUpperHalf) {
     unsigned seed = 1;
     for (const float roughness : {0.4f, 0.7f, 1.0f}) {
         const Glossy surface(coated(roughness, Vec3f::Constant(0.4f)), Hit(),
-                             viewer(0.9f));
+                             glossy_viewer(0.9f));
         Random random{std::mt19937(seed++)};
         SphereBins bins(24, 48);
         constexpr int kCount = 60000;
@@ -72,7 +72,8 @@ TEST(Glossy, IsReciprocal) {
 TEST(Glossy, GainsNoEnergyAndSamplingAgrees) {
     for (const float roughness : {0.1f, 0.4f, 1.0f}) {
         for (const float angle : {0.0f, 0.8f, 1.4f}) {
-            const Glossy surface(coated(roughness, Vec3f::Ones()), Hit(), viewer(angle));
+            const Glossy surface(coated(roughness, Vec3f::Ones()), Hit(),
+                                 glossy_viewer(angle));
             Random random{std::mt19937(11)};
             Mean chosen, uniform;
             for (int i = 0; i < 60000; ++i) {

@@ -8,6 +8,7 @@
 #include "render_test/sampling/sampling.h"
 #include "render_test/trace/render.h"
 #include "tests/render_test/make_curves.h"
+#include "tests/render_test/scene/made_camera.h"
 #include "tests/render_test/statistics.h"
 
 namespace lancret {
@@ -18,12 +19,6 @@ Curves strand_at(float x, float z) {
     std::vector<Vec3f> row;
     for (int j = 0; j <= 4; ++j) row.push_back(Vec3f(x, float(j) / 2 - 1, z));
     return curves_through({row}, 0.5f, CurveShape::flat, CurveBasis::bspline);
-}
-
-/// A camera at (0, 0, 50); the picture is 40 cm high at the origin.
-Camera made_camera() {
-    return look_at(Vec3f(0, 0, 50), Vec3f::Zero(), Vec3f::UnitY(), 2 * std::atan(0.4f),
-                   1);
 }
 
 /// Whether the widest strand has this width, to a thousandth of a pixel.

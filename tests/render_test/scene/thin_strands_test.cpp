@@ -4,18 +4,13 @@
 
 #include "render_test/trace/render.h"
 #include "tests/render_test/make_curves.h"
+#include "tests/render_test/scene/made_camera.h"
 #include "tests/render_test/statistics.h"
 
 namespace lancret {
 namespace {
 
 constexpr int kHeight = 32;
-
-/// A camera at 50 cm; the picture is 40 cm high, and a pixel 40 / 32 = 1.25 cm wide.
-Camera made_camera() {
-    return look_at(Vec3f(0, 0, 50), Vec3f::Zero(), Vec3f::UnitY(), 2 * std::atan(0.4f),
-                   1);
-}
 
 /// Straight strands across the picture, slightly tilted to cross pixels at any offset.
 Curves lines(float radius, CurveShape shape, CurveBasis basis, int count = 5) {

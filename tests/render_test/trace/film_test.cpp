@@ -53,12 +53,12 @@ TEST(Film, DepthIsTheNearest) {
     EXPECT_EQ(film.sums.depth[0], 4);
 }
 
-struct Ball : HairyBall {
-    Ball() : HairyBall(16, 16, 1) { settings.channels.variance = true; }
+struct FilmBall : HairyBall {
+    FilmBall() : HairyBall(16, 16, 1) { settings.channels.variance = true; }
 };
 
 TEST(Film, VarianceBoundsThatOfPicturesOfOtherSeeds) {
-    Ball ball;
+    FilmBall ball;
     ball.settings.samples = 8;
     constexpr int kPictures = 40;
     std::vector<Mean> green(16 * 16);
@@ -84,7 +84,7 @@ TEST(Film, VarianceBoundsThatOfPicturesOfOtherSeeds) {
 }
 
 TEST(Film, VarianceIsTheSameProgressively) {
-    Ball ball;
+    FilmBall ball;
     ball.settings.samples = 6;
     const Image whole = render(ball.scene, ball.camera, ball.settings);
     Image last;
@@ -94,7 +94,7 @@ TEST(Film, VarianceIsTheSameProgressively) {
 }
 
 TEST(Film, VarianceIsKeptOnlyOnRequest) {
-    Ball ball;
+    FilmBall ball;
     ball.settings.samples = 2;
     ball.settings.channels.variance = false;
     EXPECT_TRUE(render(ball.scene, ball.camera, ball.settings).variance.empty());
