@@ -8,7 +8,7 @@ namespace lancret {
 
 namespace {
 
-constexpr double kMaxFrame = 1e6, kMaxCoordinate = 1e6;
+constexpr double kMaxFrameNumber = 1e6, kMaxCoordinate = 1e6;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void read_motion_keys(const TomlTable& table, MotionSettings& out) {
     assign_if(out.pivot, bounded_vector(table, "pivot"));
     for (const TomlTable& key : table.tables("keys")) {
         PoseKey pose;
-        const auto frame = key.number("frame", -kMaxFrame, kMaxFrame);
+        const auto frame = key.number("frame", -kMaxFrameNumber, kMaxFrameNumber);
         if (!frame) key.fail("", "a key needs its 'frame'");
         pose.frame = *frame;
         if (!out.keys.empty() && pose.frame < out.keys.back().frame + 1e-6) {
@@ -46,8 +46,8 @@ MotionSettings read_motion(const TomlTable& table, double centimetres_per_unit) 
             table.fail("files", "a head moves by 'keys' or by 'files', not both");
         }
         out.files.pattern = files->string();
-        const auto first = table.integer("first", 0, std::int64_t(kMaxFrame));
-        const auto last = table.integer("last", 0, std::int64_t(kMaxFrame));
+        const auto first = table.integer("first", 0, std::int64_t(kMaxFrameNumber));
+        const auto last = table.integer("last", 0, std::int64_t(kMaxFrameNumber));
         if (!first || !last || *first > *last) {
             table.fail("files",
                        "'files' needs the frame numbers of its files, 'first' <= 'last'");
