@@ -19,10 +19,10 @@ std::string error_of(const lancret_source& source) {
     pthread_attr_setstacksize(&attributes, 512 << 10);
     pthread_t thread;
     const auto work = [](void* user) -> void* {
-        Call& job = *static_cast<Call*>(user);
+        Call& opening = *static_cast<Call*>(user);
         const lancret_host host = make_host(1);
         const auto context = make_context(&host);
-        job.error = open(context.get(), *job.source).error;
+        opening.error = open(context.get(), *opening.source).error;
         return nullptr;
     };
     EXPECT_EQ(pthread_create(&thread, &attributes, work, &job), 0);
