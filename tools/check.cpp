@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
+#include "guides/base/json_numbers.h"
 #include "procedural/bind/report.h"
 #include "procedural/check/frames_report.h"
 #include "procedural/check/groom_check.h"
-#include "procedural/check/json_numbers.h"
 #include "procedural/check/report.h"
 #include "tools/frames.h"
 #include "tools/job.h"

@@ -13,7 +13,7 @@
 #include "bench/render_test/bare_embree.h"
 #include "bench/render_test/sphere_scene.h"
 #include "guides/base/stopwatch.h"
-#include "render_test/image/write_image.h"
+#include "render_test/files/write_image.h"
 #include "render_test/sampling/sampling.h"
 #include "render_test/trace/render.h"
 

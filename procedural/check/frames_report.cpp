@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "guides/base/json_numbers.h"
 #include "procedural/check/figures.h"
-#include "procedural/check/json_numbers.h"
 
 namespace lancret {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "guides/base/json_numbers.h"
 #include "guides/base/worst.h"
 #include "procedural/check/figures.h"
-#include "procedural/check/json_numbers.h"
 
 namespace lancret {
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "guides/base/json_numbers.h"
 #include "procedural/bind/report.h"
-#include "procedural/check/json_numbers.h"
 #include "procedural/expand/expand.h"
 
 namespace lancret {

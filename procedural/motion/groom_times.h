@@ -4,7 +4,8 @@
 #include <filesystem>
 
 #include "guides/files/guide_cache.h"
-#include "procedural/motion/posed_binding.h"
+#include "guides/motion/scalp_pose.h"
+#include "procedural/groom/groom.h"
 
 namespace lancret {
 

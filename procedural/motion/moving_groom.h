@@ -3,6 +3,7 @@
 
 #include "procedural/groom/ready_groom.h"
 #include "procedural/motion/groom_times.h"
+#include "procedural/motion/posed_binding.h"
 
 namespace lancret {
 

@@ -1,6 +1,6 @@
 #include "render_test/settings/light.h"
 
-#include "render_test/image/read_image.h"
+#include "render_test/files/read_image.h"
 #include "render_test/settings/toml_values.h"
 
 namespace lancret {

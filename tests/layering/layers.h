@@ -87,6 +87,7 @@ inline constexpr Layer kLayers[] = {
 
     {"render_test/sampling", "guides/base"},
     {"render_test/image", "guides/base"},
+    {"render_test/files", "guides/base render_test/image"},
     {"render_test/light", "guides/base render_test/sampling render_test/image"},
     {"render_test/scene",
      "guides/base guides/mesh procedural/curves render_test/sampling"},
@@ -97,7 +98,8 @@ inline constexpr Layer kLayers[] = {
      "guides/base guides/mesh procedural/curves render_test/sampling render_test/image "
      "render_test/light render_test/scene render_test/material"},
     {"render_test/settings",
-     "guides/base guides/toml render_test/sampling render_test/image render_test/light "
+     "guides/base guides/toml render_test/sampling render_test/image render_test/files "
+     "render_test/light "
      "render_test/scene render_test/material render_test/trace"},
     {"render_test/plugin", "guides/base guides/mesh procedural/curves procedural/bind"},
 };
@@ -135,7 +137,7 @@ inline constexpr Narrow kNarrow[] = {
     {"tools/preview/", "procedural/",
      "procedural/lancret_procedural.h procedural/curves/ procedural/bind/report.h "
      "procedural/check/strand.h "
-     "procedural/check/tolerances.h procedural/check/json_numbers.h"},
+     "procedural/check/tolerances.h"},
     {"render_test/plugin/", "procedural/",
      "procedural/lancret_procedural.h procedural/curves/ procedural/bind/report.h"},
 };
@@ -159,7 +161,8 @@ inline constexpr ThirdParty kThirdParties[] = {
      "render_test/scene/embree_scene. guides/mesh/closest_point. "
      "bench/render_test/bare_embree."},
     {"OpenImageIO OpenEXR Imath Imf Iex",
-     "render_test/image/ procedural/bind/region_map. tests/render_test/image/ "
+     "render_test/image/ render_test/files/ procedural/bind/region_map. "
+     "tests/render_test/image/ tests/render_test/files/ "
      "tests/procedural/bind/region_map_test. tests/tools/good_runs_test. "
      "tests/tools/view_layers."},
     {"hdf5 H5", "guides/files/guide_cache tests/guides/files/guide_cache"},

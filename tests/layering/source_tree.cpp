@@ -107,8 +107,9 @@ std::vector<std::size_t> bare_bodies_in(const std::string& text) {
         code.erase(code.find_last_not_of(' ') + 1);
         open += std::ranges::count(code, '(') - std::ranges::count(code, ')');
         condition = open > 0;
-        if (!condition && (code.ends_with(")") || code.ends_with("else")))
+        if (!condition && (code.ends_with(")") || code.ends_with("else"))) {
             out.push_back(number);
+        }
         if (!condition) open = 0;
     }
     return out;

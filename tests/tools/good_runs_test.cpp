@@ -14,8 +14,8 @@
 
 #include "guides/files/guide_cache.h"
 #include "guides/strand/curve.h"
+#include "render_test/files/read_image.h"
 #include "render_test/image/image.h"
-#include "render_test/image/read_image.h"
 #include "tests/tools/reports.h"
 #include "tests/tools/small_grooms.h"
 

@@ -1,9 +1,9 @@
 #include "tools/preview/picture.h"
 
 #include "guides/base/stopwatch.h"
-#include "render_test/image/deep_exr.h"
+#include "render_test/files/deep_exr.h"
+#include "render_test/files/write_image.h"
 #include "render_test/image/denoise.h"
-#include "render_test/image/write_image.h"
 #include "render_test/trace/legend.h"
 #include "tools/progress.h"
 

@@ -9,15 +9,15 @@
 
 #include "guides/base/errors.h"
 #include "guides/base/stopwatch.h"
+#include "render_test/files/write_image.h"
 #include "render_test/image/contact_sheet.h"
-#include "render_test/image/write_image.h"
-#include "tools/preview/check_views.h"
 #include "tools/preview/groom.h"
 #include "tools/preview/lod.h"
 #include "tools/preview/plan.h"
 #include "tools/preview/run_stats.h"
 #include "tools/preview/shown_times.h"
-#include "tools/preview/view_summary.h"
+#include "tools/preview/views/check_views.h"
+#include "tools/preview/views/view_summary.h"
 #include "tools/progress.h"
 #include "tools/stats.h"
 

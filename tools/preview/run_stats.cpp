@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "procedural/check/json_numbers.h"
+#include "guides/base/json_numbers.h"
 #include "tools/stats.h"
 
 namespace lancret {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render_test/files/write_image.h"
 #include "render_test/image/draw.h"
-#include "render_test/image/write_image.h"
 #include "tools/rod/plot.h"
 
 namespace lancret {

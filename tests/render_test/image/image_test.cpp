@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "guides/base/errors.h"
-#include "render_test/image/read_image.h"
-#include "render_test/image/write_image.h"
+#include "render_test/files/read_image.h"
+#include "render_test/files/write_image.h"
 
 namespace lancret {
 namespace {

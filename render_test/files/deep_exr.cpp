@@ -1,4 +1,4 @@
-#include "render_test/image/deep_exr.h"
+#include "render_test/files/deep_exr.h"
 
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>

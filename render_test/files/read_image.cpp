@@ -1,4 +1,4 @@
-#include "render_test/image/read_image.h"
+#include "render_test/files/read_image.h"
 
 #include <OpenImageIO/imageio.h>
 

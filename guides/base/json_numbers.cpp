@@ -1,4 +1,4 @@
-#include "procedural/check/json_numbers.h"
+#include "guides/base/json_numbers.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "render_test/image/exr.h"
+#include "render_test/files/exr.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -14,8 +14,8 @@
 #include <map>
 
 #include "guides/base/errors.h"
+#include "render_test/files/write_image.h"
 #include "render_test/image/cryptomatte.h"
-#include "render_test/image/write_image.h"
 
 namespace lancret {
 namespace {

@@ -1,4 +1,4 @@
-#include "render_test/image/exr.h"
+#include "render_test/files/exr.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

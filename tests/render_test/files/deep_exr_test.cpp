@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "guides/base/errors.h"
-#include "render_test/image/deep_exr.h"
+#include "render_test/files/deep_exr.h"
 #include "render_test/trace/render.h"
 #include "tests/render_test/make_curves.h"
 

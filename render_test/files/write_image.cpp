@@ -1,4 +1,4 @@
-#include "render_test/image/write_image.h"
+#include "render_test/files/write_image.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -8,7 +8,7 @@
 
 #include "guides/base/atomic_file.h"
 #include "guides/base/errors.h"
-#include "render_test/image/exr.h"
+#include "render_test/files/exr.h"
 
 namespace lancret {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/evaluate_picture.h"
+#include "tools/evaluate/evaluate_picture.h"
 
 #include <algorithm>
 

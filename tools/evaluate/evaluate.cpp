@@ -1,6 +1,6 @@
 // lancret evaluate: measures how well each blend predicts held-out strands of a groom.
 
-#include "render_test/image/write_image.h"
+#include "render_test/files/write_image.h"
 #include "tools/subcommands.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 #include "guides/base/errors.h"
 #include "procedural/evaluate/report.h"
 #include "procedural/evaluate/subject.h"
-#include "tools/evaluate_picture.h"
+#include "tools/evaluate/evaluate_picture.h"
 #include "tools/job.h"
 #include "tools/options.h"
 #include "tools/progress.h"
@@ -182,6 +182,26 @@ int evaluate_groom(const EvaluateOptions& options) {
     return kFine;
 }
 
+void add_outputs(CLI::App& command, EvaluateOptions& options) {
+    command.add_option("--json", options.json, "write the figures")
+        ->type_name("FILE")
+        ->check(not_empty());
+    command
+        .add_option("--image", options.image,
+                    "render the real strands and each blend's side by side")
+        ->type_name("PNG")
+        ->check(not_empty());
+    command
+        .add_option("--size", options.size, "size of a panel of the picture in pixels")
+        ->type_name("WxH")
+        ->capture_default_str()
+        ->check(not_empty());
+    command.add_option("--samples", options.samples, "paths per pixel")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 65536));
+}
+
 }  // namespace
 
 void add_evaluate(CLI::App& app, int& exit_code) {
@@ -228,23 +248,7 @@ void add_evaluate(CLI::App& app, int& exit_code) {
                      "interpretation of the points in a .hair file")
         ->type_name("NAME")
         ->check(CLI::IsMember({"catmull-rom", "bspline"}));
-    command->add_option("--json", options->json, "write the figures")
-        ->type_name("FILE")
-        ->check(not_empty());
-    command
-        ->add_option("--image", options->image,
-                     "render the real strands and each blend's side by side")
-        ->type_name("PNG")
-        ->check(not_empty());
-    command
-        ->add_option("--size", options->size, "size of a panel of the picture in pixels")
-        ->type_name("WxH")
-        ->capture_default_str()
-        ->check(not_empty());
-    command->add_option("--samples", options->samples, "paths per pixel")
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 65536));
+    add_outputs(*command, *options);
     command->footer(
         "A prediction uses only the root position of a held-out strand.\n"
         "docs/evaluate.md defines the figures.\n"
