@@ -38,7 +38,7 @@ TEST(PreviewPlugin, PicturesShowOnlyTheStrandsOfTheLibrary) {
     const Variable other("LANCRET_LIBRARY", OTHER_PLUGIN);
     const CommandRun run = lancret(words_of(folder));
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("most 0.75, of strand 1002"));
+    EXPECT_THAT(run.out, HasSubstr("largest 0.75, strand 1002"));
     const auto stats = nlohmann::json::parse(read_bytes(folder.at("a.json")));
     EXPECT_EQ(stats["strands"], 3);
     EXPECT_EQ(stats["points"], 15);
