@@ -9,7 +9,7 @@
 #include "guides/motion/scalp_pose.h"
 #include "procedural/groom/groom_source.h"
 #include "render_test/settings/preview.h"
-#include "tools/simulate/dynamics_settings.h"
+#include "tools/dynamics_settings.h"
 
 namespace lancret {
 

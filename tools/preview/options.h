@@ -10,7 +10,7 @@
 #include "tools/job.h"
 #include "tools/options.h"
 #include "tools/preview/picture.h"
-#include "tools/preview/views/view_request.h"
+#include "tools/preview/view_request.h"
 
 namespace lancret {
 

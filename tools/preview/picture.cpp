@@ -1,5 +1,7 @@
 #include "tools/preview/picture.h"
 
+#include <algorithm>
+
 #include "guides/base/stopwatch.h"
 #include "render_test/files/deep_exr.h"
 #include "render_test/files/write_image.h"
@@ -56,6 +58,17 @@ void write_picture(const PictureFiles& files, const Image& image,
                    const Vec3f& background) {
     write_image(files.picture, image, background);
     if (!files.deep.empty()) write_deep_exr(files.deep, image);
+}
+
+void add_cost(const PictureCost& cost, bool is_first, PictureCost& total) {
+    total.bind += cost.bind;
+    total.expand += cost.expand;
+    total.bvh += cost.bvh;
+    total.render += cost.render;
+    total.rays += cost.rays;
+    total.paths += cost.paths;
+    if (is_first) total.first = cost.first;
+    total.bvh_bytes = std::max(total.bvh_bytes, cost.bvh_bytes);
 }
 
 }  // namespace lancret

@@ -8,7 +8,7 @@
 #include "render_test/plugin/strands.h"
 #include "render_test/scene/camera.h"
 #include "render_test/scene/embree_scene.h"
-#include "tools/preview/picture_cost.h"
+#include "tools/preview/picture.h"
 
 namespace lancret {
 

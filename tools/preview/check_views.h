@@ -4,7 +4,7 @@
 #include "render_test/trace/check_view.h"
 #include "tools/job.h"
 #include "tools/preview/shown_times.h"
-#include "tools/preview/views/view_request.h"
+#include "tools/preview/view_request.h"
 
 namespace lancret {
 

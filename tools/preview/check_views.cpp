@@ -1,4 +1,4 @@
-#include "tools/preview/views/check_views.h"
+#include "tools/preview/check_views.h"
 
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>

@@ -1,4 +1,4 @@
-#include "tools/preview/views/view_summary.h"
+#include "tools/preview/view_summary.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "render_test/trace/check_view.h"
-#include "tools/preview/views/view_request.h"
+#include "tools/preview/view_request.h"
 
 namespace lancret {
 

@@ -1,4 +1,4 @@
-#include "tools/simulate/dynamics_settings.h"
+#include "tools/dynamics_settings.h"
 
 #include <memory>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "tools/preview/views/view_request.h"
+#include "tools/preview/view_request.h"
 
 #include <fmt/format.h>
 
