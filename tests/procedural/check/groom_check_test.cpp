@@ -1,4 +1,5 @@
 #include "procedural/check/groom_check.h"
+#include "tests/procedural/small_groom.h"
 
 #include <gtest/gtest.h>
 
@@ -7,18 +8,12 @@
 namespace lancret {
 namespace {
 
-GroomSettings small_groom() {
-    GroomSettings groom;
-    groom.name = "small";
-    groom.made.strands = 40;
-    groom.guides.number = 12;
-    groom.fit.segments = 6;
-    groom.strands = 500;
-    return groom;
+GroomSettings groom_to_check() {
+    return test::small_groom({.made = 40, .guides = 12, .segments = 6, .strands = 500});
 }
 
 TEST(GroomCheck, MeasuresChildrenAndChunksOfAGroomAtRest) {
-    ReadyGroom ready = make_ready_groom(small_groom());
+    ReadyGroom ready = make_ready_groom(groom_to_check());
     CheckTolerances tolerances;
     tolerances.distance = ready.groom.tolerance;
     std::vector<double> progress;
@@ -36,7 +31,7 @@ TEST(GroomCheck, MeasuresChildrenAndChunksOfAGroomAtRest) {
 }
 
 TEST(GroomCheck, FailsIfAToleranceIsExceeded) {
-    ReadyGroom ready = make_ready_groom(small_groom());
+    ReadyGroom ready = make_ready_groom(groom_to_check());
     const std::vector<double> frames{0};
     EXPECT_FALSE(check_groom(ready, {}, frames, {.distance = 0}).pass);
 }

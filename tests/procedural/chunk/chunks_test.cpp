@@ -15,6 +15,7 @@
 #include "procedural/motion/posed_binding.h"
 #include "tests/procedural/curve_box.h"
 #include "tests/procedural/made_hair.h"
+#include "tests/procedural/small_groom.h"
 
 namespace lancret {
 namespace {
@@ -94,13 +95,7 @@ TEST(Chunks, OfNoChildrenAreNone) {
 }
 
 GroomSettings groom_to_cut() {
-    GroomSettings groom;
-    groom.name = "small";
-    groom.made.strands = 40;
-    groom.guides.number = 12;
-    groom.fit.segments = 4;
-    groom.strands = 1000;
-    return groom;
+    return test::small_groom({.made = 40, .guides = 12, .segments = 4, .strands = 1000});
 }
 
 /// A chunk's strands at rest.

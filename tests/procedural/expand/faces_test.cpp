@@ -9,6 +9,7 @@
 
 #include "procedural/groom/ready_groom.h"
 #include "tests/procedural/made_hair.h"
+#include "tests/procedural/small_groom.h"
 
 namespace lancret {
 namespace {
@@ -181,12 +182,8 @@ TEST(RibbonFaces, DoNotMoveStrandsAndAreThoseOfTheScalarBlends) {
 }
 
 TEST(RibbonFaces, AreChosenOnlyIfRequested) {
-    GroomSettings groom;
-    groom.name = "small";
-    groom.made.strands = 60;
-    groom.guides.number = 20;
-    groom.fit.segments = 8;
-    groom.strands = 50;
+    GroomSettings groom =
+        test::small_groom({.made = 60, .guides = 20, .segments = 8, .strands = 50});
     EXPECT_TRUE(make_ready_groom(groom).binding.faces.empty());
     groom.expand.faces = true;
     EXPECT_EQ(make_ready_groom(groom).binding.faces.size(), 50u);

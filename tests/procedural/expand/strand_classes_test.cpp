@@ -13,6 +13,7 @@
 #include "procedural/expand/child_strands.h"
 #include "procedural/expand/class_choice.h"
 #include "tests/procedural/made_hair.h"
+#include "tests/procedural/small_groom.h"
 
 namespace lancret {
 namespace {
@@ -202,20 +203,14 @@ TEST(StrandClasses, ExportedStrandsAreOrderedById) {
     }
 }
 
-GroomSettings small_groom() {
-    GroomSettings groom;
-    groom.name = "small";
-    groom.made.strands = 40;
-    groom.guides.number = 40;
-    groom.fit.segments = 6;
-    groom.strands = 1000;
-    return groom;
+GroomSettings groom_of_classes() {
+    return test::small_groom({.made = 40, .guides = 40, .segments = 6, .strands = 1000});
 }
 
 TEST(StrandClasses, AreTheSameInEveryChunkAndAtEveryDensity) {
-    const ReadyGroom whole = make_ready_groom(small_groom());
+    const ReadyGroom whole = make_ready_groom(groom_of_classes());
     ASSERT_GT(whole.classes.size(), 1u);
-    GroomSettings thin = small_groom();
+    GroomSettings thin = groom_of_classes();
     thin.density = 0.3;
     EXPECT_EQ(make_ready_groom(thin).classes.of_guide, whole.classes.of_guide);
     const ChunkedGroom chunked = make_chunked_groom(thin, 64);
@@ -224,7 +219,7 @@ TEST(StrandClasses, AreTheSameInEveryChunkAndAtEveryDensity) {
 }
 
 TEST(StrandClasses, AreOneIfAGroomFixesIntervalsOrHasFaces) {
-    GroomSettings fixed = small_groom(), alike = fixed, faces = fixed;
+    GroomSettings fixed = groom_of_classes(), alike = fixed, faces = fixed;
     fixed.intervals = 9;
     alike.adapt = false;
     faces.expand.shape = CurveShape::ribbon;

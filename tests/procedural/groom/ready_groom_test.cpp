@@ -12,6 +12,7 @@
 #include "procedural/check/check.h"
 #include "tests/guides/base/temporary_folder.h"
 #include "tests/procedural/made_hair.h"
+#include "tests/procedural/small_groom.h"
 
 namespace lancret {
 namespace {
@@ -20,13 +21,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 GroomSettings small_made_groom() {
-    GroomSettings groom;
-    groom.name = "small";
-    groom.made.strands = 60;
-    groom.guides.number = 20;
-    groom.fit.segments = 24;
-    groom.strands = 400;
-    return groom;
+    return test::small_groom({.made = 60, .guides = 20, .segments = 24, .strands = 400});
 }
 
 CheckReport check_of(const ReadyGroom& ready, Blend blend) {

@@ -8,6 +8,7 @@
 #include "procedural/groom/ready_groom.h"
 #include "tests/guides/base/temporary_folder.h"
 #include "tests/guides/mesh/meshes.h"
+#include "tests/procedural/small_groom.h"
 
 namespace lancret {
 namespace {
@@ -16,15 +17,8 @@ using testing::HasSubstr;
 
 /// A generated head with 60 strands, 20 guides and 400 children.
 const ReadyGroom& small_groom() {
-    static const ReadyGroom ready = [] {
-        GroomSettings groom;
-        groom.name = "small";
-        groom.made.strands = 60;
-        groom.guides.number = 20;
-        groom.fit.segments = 8;
-        groom.strands = 400;
-        return make_ready_groom(groom);
-    }();
+    static const ReadyGroom ready = make_ready_groom(
+        test::small_groom({.made = 60, .guides = 20, .segments = 8, .strands = 400}));
     return ready;
 }
 

@@ -8,6 +8,7 @@
 
 #include "procedural/check/strand.h"
 #include "procedural/chunk/chunked_groom.h"
+#include "tests/procedural/small_groom.h"
 
 namespace lancret {
 namespace {
@@ -116,13 +117,9 @@ TEST(Density, LodIsOneUntilThereAreMoreStrandsThanRequested) {
     EXPECT_EQ(lod_density(1, 0, 1), 1);
 }
 
-GroomSettings small_groom(double density) {
-    GroomSettings groom;
-    groom.name = "small";
-    groom.made.strands = 40;
-    groom.guides.number = 12;
-    groom.fit.segments = 4;
-    groom.strands = 3000;
+GroomSettings groom_of_density(double density) {
+    GroomSettings groom =
+        test::small_groom({.made = 40, .guides = 12, .segments = 4, .strands = 3000});
     groom.density = density;
     return groom;
 }
@@ -139,13 +136,13 @@ double area_of(const Curves& curves) {
 }
 
 TEST(Density, AGroomGrowsTheSameStrandsWiderAndKeepsTheArea) {
-    const ReadyGroom all = make_ready_groom(small_groom(1));
+    const ReadyGroom all = make_ready_groom(groom_of_density(1));
     const Curves whole = expand(all.binding, rest_guides(all), all.groom.expand);
     const double area = area_of(whole);
     std::vector<std::uint32_t> place(whole.strands);  // by id
     for (std::uint32_t i = 0; i < whole.strands; ++i) place[whole.id_of(i)] = i;
     for (const double d : {0.5, 0.1, 0.02}) {
-        const ReadyGroom some = make_ready_groom(small_groom(d));
+        const ReadyGroom some = make_ready_groom(groom_of_density(d));
         const Curves curves = expand(some.binding, rest_guides(some), some.groom.expand);
         ASSERT_EQ(curves.ids.size(), curves.strands);
         for (std::uint32_t i = 0; i < curves.strands; ++i) {
