@@ -40,11 +40,10 @@ struct GuideProfiles {
                                         ///< frame, cm
     std::vector<Mat3T<T>> frames;       ///< of places, in the root frame, n0 the tangent
     std::vector<Vec3T<T>> curvatures;  ///< of intervals: Darboux vector in `frames`, 1/cm
-    std::vector<Vec3T<T>>
-        bishop;           ///< of intervals, 1/cm: the twist, and the two bends in
-                          ///< the rotation-minimising frame that starts as the
-                          ///< root frame, as it is in the interval's middle
-    SpineBasis<T> basis;  ///< for `count` intervals
+    std::vector<Vec3T<T>> bishop;  ///< of intervals, 1/cm: the twist, and the two bends
+                                   ///< in the rotation-minimising frame that starts as
+                                   ///< the root frame, as it is in the interval's middle
+    SpineBasis<T> basis;           ///< for `count` intervals
     std::vector<Spine<T>> spines;  ///< [guides], in the root frame
     std::vector<T> advances;       ///< of places: |spine|, at most 1
 

@@ -23,8 +23,8 @@ enum class Branch {
 /// The equilibrium reached as the weight grows from 0. With Branch::leave, if that is not
 /// a minimum of the energy, the minimum reached by leaving it (in the direction of
 /// rod_minimum). If the branch ends in a fold, the rod descends to another branch, within
-/// its plane of symmetry if it has one. Throws as validate_rod does. Always terminates; if
-/// it finds no answer, `converged` is false.
+/// its plane of symmetry if it has one. Throws as validate_rod does. Always terminates;
+/// if it finds no answer, `converged` is false.
 RodEquilibrium rod_equilibrium(const HangingRod& rod, Branch branch = Branch::leave);
 
 }  // namespace lancret

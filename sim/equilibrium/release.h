@@ -41,9 +41,9 @@ struct RodRelease {
 
 /// Simulates a rod that at time 0 is at rest in its natural shape and then feels its full
 /// weight. Velocities are differences of positions. `progress` is called now and then
-/// with the fraction done, in [0, 1]. Throws as validate_rod does, and std::invalid_argument
-/// for a time that is not finite and above 0, more than 10^8 steps, or fewer than two
-/// samples or shapes.
+/// with the fraction done, in [0, 1]. Throws as validate_rod does, and
+/// std::invalid_argument for a time that is not finite and above 0, more than 10^8 steps,
+/// or fewer than two samples or shapes.
 RodRelease release_rod(const HangingRod& rod, const ReleaseSettings& settings,
                        const std::function<void(double)>& progress = {});
 
