@@ -83,10 +83,10 @@ bench: deps
 	$(BUILD)/bench/lancret_bench --benchmark_counters_tabular=true
 
 format:
-	clang-format -i $(SOURCES)
+	@clang-format -i $(SOURCES)
 
 format-check:
-	clang-format --dry-run --Werror $(SOURCES)
+	@clang-format --dry-run --Werror $(SOURCES)
 
 # clang-tidy on the sources that differ from LINT_BASE (default: the last commit that was pushed, else the one before
 # this); everything: make lint LINT_BASE=
