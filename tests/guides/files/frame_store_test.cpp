@@ -280,7 +280,7 @@ TEST_F(StoredFrames, AnUnwritableCacheIsAnInputErrorAtOnce) {
     EXPECT_THAT(error_at(folder / "none/cache.h5"), HasSubstr("there is no folder"));
     EXPECT_THAT(error_at(folder.path), HasSubstr("it is a folder"));
     write_bytes(frames, "a file");
-    EXPECT_THAT(error_at(path), HasSubstr("cache.h5.frames: is not a folder"));
+    EXPECT_THAT(error_at(path), HasSubstr("cache.h5.frames: must be a folder"));
 }
 
 TEST_F(StoredFrames, NegativeFrameNumbersHaveFileNames) {
