@@ -106,7 +106,7 @@ class Hosts(unittest.TestCase):
             pass
         warnings = [text for level, text in lines if level == "warning"]
         self.assertEqual(len(warnings), 1, lines)
-        self.assertRegex(warnings[0], "25 of 25 guide roots .* moved 0.300 cm")
+        self.assertRegex(warnings[0], "moved 25 of 25 guide roots onto the scalp, by up to 0.300 cm")
 
     def test_evaluate_gives_each_blends_figures(self):
         report = lancret.evaluate(strands=lawn(10), scalp=square())
